@@ -1,0 +1,41 @@
+#pragma once
+/// \file What the last cycles of a run say about the damping of the span, in the field's terms (IEEE Std 563).
+///
+///     P/L = D f/L,   V = omega Y,   zeta = 2 (P/L)/(m omega V^2),   loss factor = 2 zeta                [IEEE563]
+/// with D the energy dissipated per cycle by friction and viscous damping, Y the antinode amplitude. The numerical part
+/// of the ledger is never folded in: its share |numerical|/D stands beside.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace strandyn::analysis {
+
+/// Per cycle. [J], [m]
+struct CycleLosses {
+  double antinode_amplitude = 0;
+  double friction = 0;
+  double viscous = 0;
+  double numerical = 0;
+};
+
+struct SpanNumbers {
+  double frequency = 0;        ///< [Hz]
+  double length = 0;           ///< [m]
+  double mass_per_length = 0;  ///< [kg/m]
+};
+
+struct SteadyState {
+  std::size_t cycles = 0;                   ///< over how many the means were taken
+  double antinode_amplitude = 0;            ///< [m] mean
+  double dissipation = 0;                   ///< [J] mean per cycle, friction and viscous
+  double self_damping = 0;                  ///< [W/m]
+  double damping_ratio = 0;                 ///< [-] zeta
+  double loss_factor = 0;                   ///< [-]
+  std::optional<double> numerical_share;    ///< [-] nothing where nothing is dissipated
+};
+
+/// Over the last `last` cycles, or all if there are fewer.
+SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbers& span, std::size_t last = 20);
+
+}  // namespace strandyn::analysis

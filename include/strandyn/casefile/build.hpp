@@ -1,0 +1,47 @@
+#pragma once
+/// \file From a validated scene to what runs: the section law and the chain. Whatever this version cannot model is an
+/// InputError at the key that asks for it.
+
+#include <memory>
+#include <optional>
+
+#include "strandyn/casefile/scene.hpp"
+#include "strandyn/model/model.hpp"
+#include "strandyn/section/law.hpp"
+
+namespace strandyn::casefile {
+
+/// The numbers of the section that everything else refers to.
+struct SectionNumbers {
+  double EA = 0;        ///< [N]
+  double GJ = 0;        ///< [N m^2]
+  double C_AT = 0;      ///< [N m]
+  double EI_min = 0;    ///< [N m^2] for laws without a strand: what remains when all slips
+  double EI_max = 0;    ///< [N m^2] what acts while nothing slips
+  double diameter = 0;  ///< [m] outer; 0 where no conductor is given
+};
+SectionNumbers section_numbers(const Scene& scene);
+
+std::shared_ptr<const section::Law> build_law(const Scene& scene);
+
+/// A planar span and what was decided on the way.
+struct BuiltSpan {
+  model::Model model;
+  double tension = 0;        ///< [N] of the straight span
+  double length = 0;         ///< [m]
+  double end_size = 0;       ///< [m] wanted size of the elements at graded ends; 0: uniform
+  std::vector<std::size_t> load_of;  ///< for each entry of model.loads, the [[load]] it came from
+};
+
+/// The chain of a scene with [span]. Loads at the frequency of a mode get it later, by `set_load_frequency`: modes need
+/// the chain first.
+BuiltSpan build_span(const Scene& scene);
+
+/// Gives the entries of model.loads that came from [[load]] number `load` their frequency [Hz].
+void set_load_frequency(BuiltSpan& span, std::size_t load, double frequency);
+
+/// Speed of transverse waves [m/s], tension and mass only; and half a wave length [m] at a frequency [Hz].
+double wave_speed(const Scene& scene, double tension);
+double loop_length(const Scene& scene, double tension, double frequency);
+
+}  // namespace strandyn::casefile

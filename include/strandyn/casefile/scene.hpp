@@ -1,0 +1,207 @@
+#pragma once
+/// \file What a case file says, validated and in SI units: one plain struct per table, one field per key.
+///
+/// The keys, their units, defaults and bounds are declared once, in src/casefile/keys.hpp. A field that may be absent
+/// is an optional; every other one holds its default. `read_scene` has resolved what needs more than one key: the
+/// strand, the directions of the loads, the steps per cycle.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strandyn/casefile/acceptance.hpp"
+#include "strandyn/casefile/choices.hpp"
+#include "strandyn/casefile/source.hpp"
+#include "strandyn/conductor/strand.hpp"
+
+namespace strandyn::casefile {
+
+using Vector3 = std::array<double, 3>;
+
+/// [[conductor.layer]], also of a catalogue entry. After reading: lay_angle, helix_radius, friction_inner hold values,
+/// lay_length and friction are empty.
+struct LayerKeys {
+  int wires = 1;
+  double diameter = 0;                 ///< [m]
+  std::optional<double> lay_angle;     ///< [rad] signed
+  std::optional<double> lay_length;    ///< [m] signed
+  double young = 0;                    ///< [Pa]
+  double poisson = 0.3;                ///< [-]
+  double density = 0;                  ///< [kg/m^3] 0: not given
+  double residual_force = 0;           ///< [N/m]
+  std::optional<double> helix_radius;  ///< [m]
+  WireShape shape = WireShape::round;
+  std::optional<double> area;            ///< [m^2] trapezoidal wires only
+  std::optional<double> friction;        ///< [-] inner contact, and the outer one unless the next layer says otherwise
+  std::optional<double> friction_inner;  ///< [-] inner contact
+};
+
+struct Conductor {
+  std::optional<std::string> catalogue;
+  std::optional<std::string> title;
+  std::optional<std::string> source;
+  std::vector<LayerKeys> layers;
+  double friction = 0.5;  ///< [-] of every contact that no layer speaks of
+  bool residual_forces = true;
+  std::optional<double> mass_per_length;  ///< [kg/m]
+  std::optional<double> rated_strength;   ///< [N]
+
+  conductor::Strand strand;  ///< all of the above, resolved
+};
+
+struct Spring {
+  double stiffness = 0;  ///< [N m^2]
+  double yield = 0;      ///< [1/m]
+};
+
+struct Section {
+  Law law = Law::return_map;
+  int points = 36;                        ///< per turn of the lay
+  std::optional<double> EA;               ///< [N] this and the next three: laws `elastic` and `multilinear`
+  std::optional<double> EI;               ///< [N m^2] with springs: what remains when all have yielded
+  std::optional<double> GJ;               ///< [N m^2]
+  std::optional<double> mass_per_length;  ///< [kg/m]
+  std::vector<Spring> springs;            ///< `multilinear`
+};
+
+struct Span {
+  std::optional<double> length;             ///< [m] or nodes
+  std::vector<Vector3> nodes;               ///< [m] corners of a polyline
+  std::optional<double> tension;            ///< [N]
+  std::optional<double> tension_rts;        ///< [-] of the rated strength; see `span_tension`
+  std::optional<double> unstressed_length;  ///< [m]
+  double height_difference = 0;             ///< [m] right support above the left one
+  std::optional<int> elements;              ///< empty: the program chooses
+  Grading grading = Grading::clamps;
+  Support left = Support::clamped;
+  Support right = Support::clamped;
+  Dimension dimension = Dimension::planar;
+  bool torsion = true;
+  bool gravity = false;
+  MassMatrix mass = MassMatrix::lumped;
+  bool rotary_inertia = false;
+  bool condense_axial = false;
+
+  /// [m] between the supports, along the corners if there are any.
+  double total_length() const;
+};
+
+struct Load {
+  LoadType type = LoadType::static_force;
+  std::optional<double> at;  ///< [m] from the left support; empty: per length of the whole span
+  std::optional<bool> per_length;
+  std::optional<double> force;                 ///< [N] or [N/m], `static-force`
+  std::optional<double> amplitude;             ///< [N] or [N/m], `harmonic-force`
+  std::optional<double> moment;                ///< [N m] or [N], in the place of either
+  std::vector<std::array<double, 2>> history;  ///< [s], [N] ([N m] if history_is_moment), `table`
+  bool history_is_moment = false;
+  std::optional<Vector3> direction;   ///< [-] unit vector; always set after reading
+  std::optional<double> frequency;    ///< [Hz] `harmonic-force`: this, or
+  std::optional<int> frequency_mode;  ///< that of this mode, counted from 1
+
+  bool is_moment() const { return moment.has_value() || history_is_moment; }
+  /// The one of force, amplitude, moment that is given; 0 for a table.
+  double value() const { return moment.value_or(force.value_or(amplitude.value_or(0.0))); }
+};
+
+struct Initial {
+  int velocity_mode = 1;
+  double antinode_velocity = 0;  ///< [m/s]
+};
+
+struct Rayleigh {
+  double mass = 0;       ///< [1/s]
+  double stiffness = 0;  ///< [s]
+};
+
+struct Damping {
+  std::vector<std::array<double, 2>> modal;  ///< mode (from 1), damping ratio [-]
+  std::optional<Rayleigh> rayleigh;
+  double drag = 0;  ///< [N s/m^2]
+};
+
+struct Static {
+  Control control = Control::load;
+};
+
+struct Integrator {
+  Method method = Method::ida;
+  double rho_inf = 0.9;  ///< [-] `generalized-alpha`
+  StepRule step = StepRule::fixed;
+  std::optional<int> steps_per_cycle;         ///< `fixed`: this (200 unless said) or
+  std::optional<double> step_size;            ///< [s]
+  double rtol = 1e-6;                         ///< [-] `adaptive`
+  double newton_tolerance = 1e-9;             ///< [-]
+  std::optional<double> max_numerical_share;  ///< [-] empty: no bound
+  std::optional<double> checkpoint_every;     ///< [s] of wall time; empty: none
+};
+
+struct SectionAnalysis {
+  std::vector<double> tensions;              ///< [N]
+  std::vector<double> tensions_rts;          ///< [-]; see `section_tensions`
+  std::vector<double> curvature_amplitudes;  ///< [1/m] or path
+  int steps_per_cycle = 400;
+  Twist twist = Twist::held;
+  std::optional<std::string> path;  ///< csv file of strain, torsion, curvatures, as written in the case
+};
+
+struct AxialTorsionAnalysis {
+  double axial_strain = 0.001;  ///< [-]
+};
+
+struct StaticAnalysis {
+  int steps = 20;
+};
+
+struct ModesAnalysis {
+  int count = 12;
+};
+
+struct DecayAnalysis {
+  int mode = 1;
+  std::optional<double> antinode_amplitude;  ///< [m] empty: [initial] starts the motion
+  int cycles = 0;
+};
+
+struct ForcedAnalysis {
+  std::optional<int> cycles;  ///< this or
+  std::optional<Until> until;
+};
+
+/// Only the table of the chosen type is read.
+struct Analysis {
+  AnalysisType type = AnalysisType::section;
+  SectionAnalysis section;
+  AxialTorsionAnalysis axial_torsion;
+  StaticAnalysis static_;
+  ModesAnalysis modes;
+  DecayAnalysis decay;
+  ForcedAnalysis forced;
+};
+
+struct Scene {
+  std::string title;                   ///< the file's name unless said
+  std::optional<Conductor> conductor;  ///< may be empty for the laws that need none
+  Section section;
+  std::optional<Span> span;  ///< may be empty for the analyses of a section
+  std::vector<Load> loads;
+  std::optional<Initial> initial;
+  Damping damping;
+  Static static_;
+  Integrator integrator;
+  Analysis analysis;
+  Acceptance accept;
+  Source source;
+};
+
+/// [N] tension of the span, given as such or by rated strength; empty where an unstressed length sets it.
+std::optional<double> span_tension(const Scene& scene);
+
+/// [N] tensions of a `section` analysis, however given.
+std::vector<double> section_tensions(const Scene& scene);
+
+/// [kg/m] of unstressed length: of the section, else of the conductor; empty where neither says.
+std::optional<double> mass_per_length(const Scene& scene);
+
+}  // namespace strandyn::casefile

@@ -1,0 +1,50 @@
+#pragma once
+/// \file The energy ledger: every term computed on its own, the remainder shown as the integrator's error.
+///
+///     external work  = sum (f_n + f_n+1)/2 . (u_n+1 - u_n)                  forces and motion of the loaded unknowns
+///     kinetic        = v . M v/2,   elastic = stored in the sections        from the state
+///     friction       = sum D,       quadrature error = sum E_quad           from `commit`
+///     viscous        = sum h (v_n . c v_n + v_n+1 . c v_n+1)/2
+///     numerical      = external - change of (kinetic + elastic) - friction - viscous
+///     internal work  = sum (f_int,n + f_int,n+1)/2 . (u_n+1 - u_n)          second road to elastic + friction
+/// The ledger closes by definition; E_quad is contained in the numerical part, with a minus. The internal work shares no
+/// code with stored and dissipated energies: internal - (change of elastic + friction - E_quad) is the error of the
+/// trapezoidal rule over the curved motion of the chain, and falls with the square of the step.
+
+#include "strandyn/solver/step_record.hpp"
+
+namespace strandyn::observe {
+
+/// Cumulative terms since the start. [J]
+struct Account {
+  double external_work = 0;
+  double kinetic = 0;          ///< of the state
+  double elastic = 0;          ///< of the state, above that of the initial state
+  double friction = 0;
+  double viscous = 0;
+  double quadrature_error = 0;
+  double internal_work = 0;
+  double initial_kinetic = 0;  ///< constant
+
+  double numerical() const { return external_work - (kinetic - initial_kinetic) - elastic - friction - viscous; }
+};
+
+/// Between two accounts, each term linear in `part` from 0 to 1: the remainder stays what the terms leave over.
+Account interpolate(const Account& from, const Account& to, double part);
+
+class Ledger final : public solver::Observer {
+ public:
+  void begin(const system::System& system, const solver::StepRecord& initial) override;
+  void step(const system::System& system, const solver::StepRecord& record) override;
+
+  const Account& now() const { return now_; }
+
+ private:
+  Account now_;
+  double initial_elastic_ = 0;  // [J]
+  double drag_power_ = 0;       // [W] at the last step
+  system::Vector u_, external_, internal_;
+  system::Vector next_external_, next_internal_;
+};
+
+}  // namespace strandyn::observe

@@ -1,0 +1,58 @@
+#pragma once
+/// \file Line plots as SVG: no scripts, no fonts, nothing from outside.
+///
+/// A plot that stands alone brings colours that can be read on white and on black paper, since whoever shows it (a
+/// README) does not say which it has. A plot inside the page leaves the colours of text and grid to the page.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strandyn/report/ticks.hpp"
+
+namespace strandyn::report {
+
+enum class Colour { ink, blue, orange, green, red, violet, teal, grey };
+
+struct Series {
+  std::string name = {};  ///< in the legend; left out of it where empty
+  std::vector<double> x;
+  std::vector<double> y;
+  Colour colour = Colour::blue;
+  std::string custom_colour = {};  ///< "#rrggbb" instead of `colour`
+  bool line = true;
+  bool dashed = false;
+  bool markers = false;
+  bool filled = false;  ///< down to zero, lightly
+  double width = 1.75;  ///< [px]
+};
+
+struct Axis {
+  std::string label = {};
+  std::string unit = {};  ///< gets a prefix of its own where it takes one (J -> mJ)
+  bool log = false;       ///< points that are not positive are left out
+  bool from_zero = false;
+  bool tight = false;  ///< the axis ends where the data end, not at the next tick
+};
+
+struct Plot {
+  std::string title;
+  Axis x = {};
+  Axis y = {};
+  std::vector<Series> series = {};
+  int width = 720;   ///< [px]
+  int height = 400;  ///< [px]
+};
+
+enum class SvgUse { standalone, inside_page };
+
+/// Points that are not finite are left out. A plot without a point shows its empty axes.
+std::string svg(const Plot& plot, SvgUse use = SvgUse::standalone);
+
+/// `count` colours along a ramp from blue over violet to orange, for series that have an order.
+std::vector<std::string> ramp(std::size_t count);
+
+/// & < > and quotes made harmless for HTML and SVG.
+std::string escaped(std::string_view text);
+
+}  // namespace strandyn::report

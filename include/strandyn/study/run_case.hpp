@@ -1,0 +1,41 @@
+#pragma once
+/// \file One case from its scene to its summary: what `strandyn run` does between reading and writing.
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "strandyn/casefile/scene.hpp"
+#include "strandyn/core/error.hpp"
+#include "strandyn/results/table.hpp"
+
+namespace strandyn::study {
+
+/// How the caller takes part in a run.
+struct Hooks {
+  std::function<bool()> stop;                                       ///< true: end early, keep what there is
+  std::function<void(double fraction, std::string_view)> progress;  ///< how far, in words
+};
+
+struct NamedTable {
+  std::string file;  ///< "cycles.csv"
+  results::Table table;
+};
+
+struct CaseResult {
+  ExitCode exit_code = ExitCode::done;
+  nlohmann::ordered_json summary;                ///< the contract's summary.json
+  std::vector<NamedTable> tables;
+  std::vector<casefile::Verdict> verdicts;       ///< of [accept]
+  std::string message;                           ///< why exit_code is not `done`; empty otherwise
+};
+
+/// Runs the analysis. Throws InputError for what the scene asks and this version cannot do, and ComputationError where
+/// nothing was computed; a run that fails midway or is stopped comes back with what it has.
+CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks = {});
+
+/// What `strandyn describe` tells: the resolved scene in SI, what will be modelled, what it is expected to cost.
+nlohmann::ordered_json describe_case(const casefile::Scene& scene);
+
+}  // namespace strandyn::study

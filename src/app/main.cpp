@@ -1,0 +1,82 @@
+// The command line: finds the verb, turns what went wrong into a message and an exit code.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <functional>
+#include <string>
+
+#include "strandyn/version.hpp"
+#include "verbs.hpp"
+
+namespace {
+
+using strandyn::ExitCode;
+namespace app = strandyn::app;
+
+int report_error(ExitCode code, const char* text) {
+  fmt::print(stderr, "strandyn: {}\n", text);
+  return static_cast<int>(code);
+}
+
+/// Adds the arguments that every verb on a case takes.
+CLI::App* add_case_verb(CLI::App& program, const char* name, const char* help, app::RunArguments& arguments) {
+  CLI::App* verb = program.add_subcommand(name, help);
+  verb->add_option("CASE", arguments.file, "case file (TOML)")->required();
+  verb->add_option("--set", arguments.overrides, "override one key of the case: KEY.PATH=VALUE; may be repeated")
+      ->expected(1)
+      ->take_all();
+  return verb;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program{"Vibration of stranded overhead conductors in time, and the energy they lose per cycle.", "strandyn"};
+  program.set_version_flag("--version", fmt::format("strandyn {} ({}, {})", strandyn::program_version,
+                                                    strandyn::program_revision, strandyn::program_compiler));
+  program.require_subcommand(1);
+
+  app::RunArguments arguments;
+  std::string name;
+  std::filesystem::path folder;
+  std::function<ExitCode()> verb;
+
+  CLI::App* run = add_case_verb(program, "run", "run a case and write its results", arguments);
+  run->add_option("--out", arguments.out, "results folder (default: results/<case name>)");
+  run->add_flag("--json", arguments.json, "print summary.json to standard output");
+  run->add_flag("--quiet", arguments.quiet, "no progress and no tables");
+  run->callback([&] { verb = [&] { return app::run(arguments); }; });
+
+  add_case_verb(program, "check", "read and validate a case, run nothing", arguments)->callback([&] {
+    verb = [&] { return app::check(arguments.file, arguments.overrides); };
+  });
+  add_case_verb(program, "describe", "the resolved case in SI units, what will be modelled, the expected cost", arguments)
+      ->callback([&] { verb = [&] { return app::describe(arguments.file, arguments.overrides); }; });
+
+  CLI::App* conductors = program.add_subcommand("conductors", "the catalogue of conductors");
+  conductors->add_option("NAME", name, "one conductor, in full");
+  conductors->callback([&] { verb = [&] { return app::conductors(name); }; });
+
+  program.add_subcommand("schema", "JSON Schema of a case file, for editors")->callback([&] { verb = app::schema; });
+
+  CLI::App* report = program.add_subcommand("report", "turn a results folder into one HTML page and its plots");
+  report->add_option("DIR", folder, "results folder")->required();
+  report->callback([&] { verb = [&] { return app::report(folder); }; });
+
+  try {
+    program.parse(argc, argv);
+    return static_cast<int>(verb());
+  } catch (const CLI::ParseError& error) {
+    const int code = program.exit(error);
+    return code == 0 ? 0 : static_cast<int>(ExitCode::wrong_input);
+  } catch (const strandyn::InputError& error) {
+    return report_error(ExitCode::wrong_input, error.what());
+  } catch (const strandyn::FileError& error) {
+    return report_error(ExitCode::no_file, error.what());
+  } catch (const strandyn::ComputationError& error) {
+    return report_error(ExitCode::not_converged, error.what());
+  } catch (const std::exception& error) {
+    return report_error(ExitCode::not_converged, fmt::format("unexpected failure: {}", error.what()).c_str());
+  }
+}

@@ -1,0 +1,74 @@
+#include "verbs.hpp"
+
+#include <fmt/format.h>
+
+#include "strandyn/casefile/read.hpp"
+#include "strandyn/casefile/schema.hpp"
+#include "strandyn/conductor/catalogue.hpp"
+#include "strandyn/conductor/constants.hpp"
+#include "strandyn/report/page.hpp"
+#include "strandyn/report/text_table.hpp"
+#include "strandyn/study/run_case.hpp"
+
+namespace strandyn::app {
+namespace {
+
+/// The smallest case that brings a conductor through the reader.
+casefile::Scene scene_of(std::string_view conductor) {
+  const std::string text = fmt::format("[conductor]\ncatalogue = \"{}\"\n[analysis]\ntype = \"axial-torsion\"\n", conductor);
+  return casefile::read_scene_text(text, "the catalogue");
+}
+
+}  // namespace
+
+ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const casefile::Scene scene = casefile::read_scene(file, overrides);
+  fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::name_of(scene.analysis.type));
+  return ExitCode::done;
+}
+
+ExitCode describe(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  fmt::print("{}\n", study::describe_case(casefile::read_scene(file, overrides)).dump(2));
+  return ExitCode::done;
+}
+
+ExitCode conductors(const std::string& name) {
+  if (!name.empty()) {
+    scene_of(name);  // refuses an unknown name and says which is near
+    for (const conductor::CatalogueEntry& entry : conductor::catalogue()) {
+      if (entry.name == name) fmt::print("{}", entry.text);
+    }
+    return ExitCode::done;
+  }
+  using report::Align;
+  report::TextTable table({{"name", "", 4, Align::left},
+                           {"wires"},
+                           {"diameter", "mm", 4},
+                           {"mass", "kg/m", 4},
+                           {"strength", "kN", 4},
+                           {"EA", "MN", 4},
+                           {"EI min", "N m^2", 4},
+                           {"EI max", "N m^2", 5}});
+  for (const conductor::CatalogueEntry& entry : conductor::catalogue()) {
+    const conductor::Strand strand = scene_of(entry.name).conductor->strand;
+    const conductor::SectionConstants c = conductor::section_constants(strand);
+    int wires = 0;
+    for (const conductor::Layer& layer : strand.layers) wires += layer.wires;
+    table.add_row({std::string(entry.name), wires, 1e3 * strand.outer_diameter(), strand.mass_per_length,
+                   strand.rated_strength / 1e3, c.EA / 1e6, c.EI_min, c.EI_max});
+  }
+  fmt::print("{}", table.str());
+  return ExitCode::done;
+}
+
+ExitCode schema() {
+  fmt::print("{}\n", casefile::case_schema().dump(2));
+  return ExitCode::done;
+}
+
+ExitCode report(const std::filesystem::path& folder) {
+  fmt::print("{}\n", report::write_report(folder).string());
+  return ExitCode::done;
+}
+
+}  // namespace strandyn::app

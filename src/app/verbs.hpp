@@ -1,0 +1,27 @@
+#pragma once
+/// \file The verbs of the command line. Each returns the exit code; errors travel as exceptions to main.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "strandyn/core/error.hpp"
+
+namespace strandyn::app {
+
+struct RunArguments {
+  std::filesystem::path file;
+  std::filesystem::path out;  ///< empty: results/<case name>
+  std::vector<std::string> overrides;
+  bool json = false;
+  bool quiet = false;
+};
+
+ExitCode run(const RunArguments& arguments);
+ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+ExitCode describe(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+ExitCode conductors(const std::string& name);
+ExitCode schema();
+ExitCode report(const std::filesystem::path& folder);
+
+}  // namespace strandyn::app

@@ -1,0 +1,113 @@
+#include "strandyn/beam/planar_element.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace strandyn::beam {
+namespace {
+
+/// d eps/d(rotation 1, rotation 2): the slope of the mean of v'^2/2.
+std::array<double, 2> strain_slope(const PlanarKinematics& k) {
+  const auto [t1, t2] = k.rotation;
+  return {(4 * t1 - t2) / 30, (4 * t2 - t1) / 30};
+}
+
+/// d chi/d(rotation 1, rotation 2) at Gauss point g, times the length.
+std::array<double, 2> curvature_slope(std::size_t g) {
+  return {6 * gauss_position[g] - 4, 6 * gauss_position[g] - 2};
+}
+
+/// Forces that work on the chord's stretch and on the two rotations in the chord's frame.
+struct LocalForce {
+  double stretch = 0;             ///< [N]
+  std::array<double, 2> moment{};  ///< [N m]
+};
+
+LocalForce local_force(const PlanarElement& element, const PlanarKinematics& k, const PlanarResultants& r) {
+  LocalForce f;
+  for (double N : r.N) f.stretch += gauss_weight * N;
+  const auto slope = strain_slope(k);
+  for (std::size_t i = 0; i < 2; ++i) f.moment[i] = f.stretch * element.length * slope[i];
+  for (std::size_t g = 0; g < gauss_points; ++g) {
+    const auto c = curvature_slope(g);
+    for (std::size_t i = 0; i < 2; ++i) f.moment[i] += gauss_weight * r.M[g] * c[i];
+  }
+  return f;
+}
+
+}  // namespace
+
+PlanarKinematics kinematics(const PlanarElement& element, const PlanarVector& q) {
+  PlanarKinematics k;
+  const Eigen::Vector2d d = element.span + q.segment<2>(3) - q.segment<2>(0);
+  k.chord = d.norm();
+  k.direction = d / k.chord;
+  const double alpha = std::atan2(d.y(), d.x());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double turn = q(i == 0 ? 2 : 5) + element.rest_angle - alpha;
+    // Most elements turn little: wrapping is for those that have turned more than half a turn.
+    k.rotation[i] = std::abs(turn) <= std::numbers::pi ? turn : std::remainder(turn, 2 * std::numbers::pi);
+  }
+  const auto [t1, t2] = k.rotation;
+  const double l0 = element.length;
+  const double stretch = (d.squaredNorm() - l0 * l0) / (k.chord + l0);
+  k.eps = stretch / l0 + (2 * t1 * t1 - t1 * t2 + 2 * t2 * t2) / 30;
+  for (std::size_t g = 0; g < gauss_points; ++g) {
+    const auto c = curvature_slope(g);
+    k.chi[g] = (c[0] * t1 + c[1] * t2) / l0;
+  }
+  return k;
+}
+
+PlanarVector internal_force(const PlanarElement& element, const PlanarKinematics& k, const PlanarResultants& r) {
+  const LocalForce f = local_force(element, k, r);
+  const Eigen::Vector2d normal(-k.direction.y(), k.direction.x());
+  const Eigen::Vector2d force = f.stretch * k.direction - (f.moment[0] + f.moment[1]) / k.chord * normal;
+  PlanarVector out;
+  out << -force, f.moment[0], force, f.moment[1];
+  return out;
+}
+
+PlanarMatrix tangent(const PlanarElement& element, const PlanarKinematics& k, const PlanarResultants& r,
+                     const PlanarSectionTangent& t) {
+  const LocalForce f = local_force(element, k, r);
+  const auto slope = strain_slope(k);
+  const double l0 = element.length;
+  const double c = k.direction.x();
+  const double s = k.direction.y();
+
+  // Rows of B: stretch and rotations in the chord's frame, differentiated by the nodal unknowns.
+  PlanarVector along;
+  along << -c, -s, 0, c, s, 0;
+  PlanarVector across;  // l times the turn of the chord is minus this
+  across << -s, c, 0, s, -c, 0;
+  Eigen::Matrix<double, 3, 6> B;
+  B.row(0) = along.transpose();
+  B.row(1) = across.transpose() / k.chord;
+  B.row(2) = B.row(1);
+  B(1, 2) += 1;
+  B(2, 5) += 1;
+
+  Eigen::Matrix3d local = Eigen::Matrix3d::Zero();
+  for (std::size_t g = 0; g < gauss_points; ++g) {
+    const auto curve = curvature_slope(g);
+    const Eigen::Vector3d eps_row(1 / l0, slope[0], slope[1]);
+    const Eigen::Vector3d chi_row(0, curve[0] / l0, curve[1] / l0);
+    const double w = gauss_weight * l0;
+    local += w * eps_row * (t.N_eps[g] * eps_row + t.N_chi[g] * chi_row).transpose();
+    local += w * chi_row * (t.M_eps[g] * eps_row + t.M_chi[g] * chi_row).transpose();
+  }
+  const double stiffening = f.stretch * l0 / 30;
+  local(1, 1) += 4 * stiffening;
+  local(2, 2) += 4 * stiffening;
+  local(1, 2) -= stiffening;
+  local(2, 1) -= stiffening;
+
+  PlanarMatrix K = B.transpose() * local * B;
+  K += f.stretch / k.chord * across * across.transpose();
+  const double turn = (f.moment[0] + f.moment[1]) / (k.chord * k.chord);
+  K -= turn * (along * across.transpose() + across * along.transpose());
+  return K;
+}
+
+}  // namespace strandyn::beam

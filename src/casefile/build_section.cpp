@@ -1,0 +1,70 @@
+#include "strandyn/casefile/build.hpp"
+#include "strandyn/conductor/constants.hpp"
+#include "strandyn/section/linear_law.hpp"
+#include "strandyn/section/masing.hpp"
+#include "strandyn/section/multilinear.hpp"
+#include "strandyn/section/return_map.hpp"
+
+namespace strandyn::casefile {
+namespace {
+
+bool has_own_constants(const Scene& scene) {
+  return scene.section.law == Law::elastic || scene.section.law == Law::multilinear;
+}
+
+section::MultilinearSection multilinear_section(const Section& s) {
+  section::MultilinearSection out{
+      .EA = s.EA.value_or(0), .GJ = s.GJ.value_or(0), .EI = s.EI.value_or(0), .springs = {}};
+  for (const Spring& spring : s.springs) out.springs.push_back({.stiffness = spring.stiffness, .yield = spring.yield});
+  return out;
+}
+
+}  // namespace
+
+SectionNumbers section_numbers(const Scene& scene) {
+  SectionNumbers n;
+  if (scene.conductor) n.diameter = scene.conductor->strand.outer_diameter();
+  if (has_own_constants(scene)) {
+    n.EA = scene.section.EA.value_or(0);
+    n.GJ = scene.section.GJ.value_or(0);
+    n.EI_min = n.EI_max = scene.section.EI.value_or(0);
+    for (const Spring& spring : scene.section.springs) n.EI_max += spring.stiffness;
+    return n;
+  }
+  const conductor::SectionConstants c = conductor::section_constants(scene.conductor->strand);
+  n.EA = c.EA;
+  n.GJ = c.GJ;
+  n.C_AT = c.C_AT;
+  n.EI_min = c.EI_min;
+  n.EI_max = c.EI_max;
+  return n;
+}
+
+std::shared_ptr<const section::Law> build_law(const Scene& scene) {
+  using section::Dimension;
+  const SectionNumbers n = section_numbers(scene);
+  const auto linear = [&](const char* name, double EI) {
+    return std::make_shared<section::LinearLaw>(
+        name, Dimension::planar, section::LinearStiffness{.EA = n.EA, .GJ = n.GJ, .C_AT = n.C_AT, .EI = EI});
+  };
+  switch (scene.section.law) {
+    case Law::stick:
+      return linear("stick", n.EI_max);
+    case Law::slip:
+      return linear("slip", n.EI_min);
+    case Law::elastic:
+      return linear("elastic", n.EI_max);
+    case Law::multilinear:
+      return std::make_shared<section::MultilinearLaw>(multilinear_section(scene.section), Dimension::planar);
+    case Law::masing:
+      return std::make_shared<section::MasingLaw>(scene.conductor->strand);
+    case Law::return_map:
+      return std::make_shared<section::PlanarReturnMap>(scene.conductor->strand, scene.section.points);
+    case Law::compliant:
+      break;
+  }
+  refuse(scene.source, "section.law", "this law is not part of this version",
+         "use stick, slip, elastic, multilinear, masing or return-map");
+}
+
+}  // namespace strandyn::casefile

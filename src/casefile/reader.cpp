@@ -1,0 +1,271 @@
+#include "reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "document.hpp"
+#include "strandyn/conductor/catalogue.hpp"
+#include "strandyn/core/error.hpp"
+#include "words.hpp"
+
+namespace strandyn::casefile {
+
+std::string Reader::table_remedy(const char* key, const Plain& spec) {
+  return fmt::format("give the table `{}`: {}", key, spec.help);
+}
+
+std::string Reader::choice_remedy(const Plain& spec, const std::vector<std::string>& names) {
+  return fmt::format("choose one of {} ({})", list_words(names, '"'), spec.help);
+}
+
+std::string Reader::path_of(std::string_view key) const {
+  return path_.empty() ? spell_key(key) : fmt::format("{}.{}", path_, spell_key(key));
+}
+
+bool Reader::overridden(std::string_view key) const {
+  const Source::Entry* entry = source_.find(path_of(key));
+  return entry && entry->overridden;
+}
+
+bool Reader::given(const char* key) const {
+  const toml::node* node = table_.get(key);
+  return node && node->value_exact<bool>() != false;
+}
+
+const toml::node* Reader::take(const char* key, bool required, const std::string& remedy) {
+  if (mode_ == Mode::list) {
+    if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
+    return nullptr;
+  }
+  if (mode_ == Mode::skip) {
+    Choices& choices_of_key = elsewhere_[key];
+    choices_of_key.selector = skipped_.selector;
+    choices_of_key.chosen = skipped_.chosen;
+    choices_of_key.names.insert(choices_of_key.names.end(), skipped_.names.begin(), skipped_.names.end());
+    return nullptr;
+  }
+  taken_.insert(key);
+  if (displaced_.contains(key)) return nullptr;
+  const toml::node* node = table_.get(key);
+  if (!node && required) refuse(source_, path_of(key), "is missing", remedy);
+  return node;
+}
+
+void Reader::refuse_unknown_keys() const {
+  for (const auto& [key, node] : table_) {
+    if (std::ranges::find(known_, key.str()) != known_.end()) continue;
+    const std::string path = path_of(key.str());
+    const auto near = near_word(key.str(), known_);
+    const std::string remedy =
+        near ? fmt::format("did you mean `{}`?", path_of(*near))
+             : fmt::format("{} knows {}", path_.empty() ? "a case" : '`' + path_ + '`', list_words(known_));
+    throw InputError(fmt::format("{}: unknown {} `{}`; {}", source_.place(path),
+                                 path_.empty() && !node.is_value() ? "table" : "key", path, remedy));
+  }
+}
+
+void Reader::refuse_keys_of_other_choices() const {
+  for (const auto& [key, node] : table_) {
+    const auto entry = elsewhere_.find(key.str());
+    if (entry == elsewhere_.end() || taken_.contains(key.str())) continue;
+    const auto& [selector, chosen, names] = entry->second;
+    if (overridden(selector) && !overridden(key.str())) continue;
+    refuse(source_, path_of(key.str()),
+           fmt::format("belongs to {} = {}, and {} is \"{}\" here", selector, list_words(names, '"'), selector, chosen),
+           fmt::format("remove it or change `{}`", path_of(selector)));
+  }
+}
+
+void Reader::one_of(std::initializer_list<const char*> group, const OneOf& spec) {
+  if (mode_ != Mode::read) return;
+  std::vector<std::string> present, from_override;
+  for (const char* key : group) {
+    if (!given(key)) continue;
+    present.emplace_back(key);
+    if (overridden(key)) from_override.emplace_back(key);
+  }
+  if (!from_override.empty() && from_override.size() < present.size()) {
+    for (const std::string& key : present) {
+      if (!overridden(key)) displaced_.insert(key);
+    }
+    present = from_override;
+  }
+  const std::vector<std::string> names(group.begin(), group.end());
+  if (present.size() > 1) {
+    refuse(source_, path_of(present[1]), fmt::format("excludes `{}`, and both are given", path_of(present[0])),
+           fmt::format("keep one of {}", list_words(names)));
+  }
+  if (present.empty() && spec.required) {
+    const std::string table = path_.empty() ? "the case" : path_;
+    throw InputError(fmt::format("{}: {}: one of {} is missing; give exactly one of them", source_.place(path_), table,
+                                 list_words(names)));
+  }
+}
+
+double Reader::to_number(const toml::node& node, const std::string& path, const Number& spec) const {
+  const std::string remedy = "give " + describe(spec);
+  if (!node.is_number()) refuse(source_, path, spec.whole ? "must be a whole number" : "must be a number", remedy);
+  const double x = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
+  if (const auto fault = find_fault(spec, x)) refuse(source_, path, *fault, remedy);
+  return spec.unit.to_si(x);
+}
+
+void Reader::numbers(const char* key, std::vector<double>& field, const Number& spec) {
+  const toml::node* node = take(key, spec.required, "give " + describe(spec));
+  if (!node) return;
+  const std::string path = path_of(key);
+  field.clear();
+  const toml::array* list = node->as_array();
+  if (!list) {
+    field.push_back(to_number(*node, path, spec));
+    return;
+  }
+  if (list->empty()) refuse(source_, path, "must not be empty", "give " + describe(spec));
+  for (const toml::node& element : *list) field.push_back(to_number(element, path + index(field.size()), spec));
+}
+
+void Reader::vector(const char* key, std::optional<Vector3>& field, const Plain& spec) {
+  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+  if (!node) return;
+  const std::string path = path_of(key);
+  const toml::array* list = node->as_array();
+  if (!list || list->size() != 3) {
+    refuse(source_, path, "must be three numbers", std::string("give ") + spec.help + ", for example [0, 1, 0]");
+  }
+  field.emplace();
+  for (std::size_t i = 0; i < 3; ++i) (*field)[i] = to_number(*list->get(i), path + index(i), {.help = "a component"});
+}
+
+std::vector<const toml::array*> Reader::to_rows(const toml::node& node, const std::string& path, std::size_t columns,
+                                                const Plain& spec) const {
+  const std::string remedy = fmt::format("give {}", spec.help);
+  const std::string wrong = fmt::format("must be a list of rows of {} numbers", columns);
+  const toml::array* list = node.as_array();
+  if (!list || list->empty()) refuse(source_, path, wrong, remedy);
+  std::vector<const toml::array*> rows;
+  for (const toml::node& element : *list) {
+    const toml::array* row = element.as_array();
+    if (!row || row->size() != columns) {
+      refuse(source_, path + index(rows.size()), fmt::format("must be a row of {} numbers", columns), remedy);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::string Reader::to_text(const toml::node& node, const std::string& path, const Plain& spec) const {
+  const auto text = node.value_exact<std::string>();
+  if (!text) refuse(source_, path, "must be a text", fmt::format("give {} in quotes", spec.help));
+  if (text->find_first_not_of(" \t\n") == std::string::npos) {
+    refuse(source_, path, "must not be empty", fmt::format("give {}", spec.help));
+  }
+  return *text;
+}
+
+bool Reader::to_flag(const toml::node& node, const std::string& path, const Plain& spec) const {
+  const auto flag = node.value_exact<bool>();
+  if (!flag) refuse(source_, path, "must be true or false", fmt::format("say {}, without quotes", spec.help));
+  return *flag;
+}
+
+std::string Reader::to_choice(const toml::node& node, const std::string& path, const Plain& spec,
+                              const std::vector<std::string>& names) const {
+  const auto word = node.value_exact<std::string>();
+  if (!word) refuse(source_, path, "must be a word in quotes", choice_remedy(spec, names));
+  if (std::ranges::find(names, *word) == names.end()) {
+    refuse(source_, path, "is not a choice", choice_remedy(spec, nearest_first(*word, names)));
+  }
+  return *word;
+}
+
+const toml::table& Reader::to_table(const toml::node& node, const std::string& path) const {
+  const toml::table* table = node.as_table();
+  if (!table) refuse(source_, path, "must be a table", fmt::format("write [{}] and its keys below", path));
+  return *table;
+}
+
+std::vector<const toml::table*> Reader::to_tables(const toml::node& node, const std::string& path) const {
+  const toml::array* list = node.as_array();
+  if (!list || list->empty() || !list->is_array_of_tables()) {
+    refuse(source_, path, "must be a list of tables", fmt::format("write [[{}]] above the keys of each", path));
+  }
+  std::vector<const toml::table*> tables;
+  for (const toml::node& element : *list) tables.push_back(element.as_table());
+  return tables;
+}
+
+void Reader::scalar(const char* key, std::optional<Scalar>& field, const Plain& spec) {
+  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+  if (!node) return;
+  if (const auto flag = node->value_exact<bool>()) {
+    field = *flag;
+  } else if (node->is_string()) {
+    field = to_text(*node, path_of(key), spec);
+  } else {
+    field = to_number(*node, path_of(key), {.help = spec.help});
+  }
+}
+
+void Reader::mode_word(const char* key, std::optional<int>& field, const Plain& spec) {
+  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+  if (!node) return;
+  const std::string word = node->value_exact<std::string>().value_or("");
+  constexpr std::string_view start = "mode ";
+  int mode = 0;
+  if (word.starts_with(start)) {
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data() + start.size(), end, mode);
+    if (error != std::errc{} || stop != end) mode = 0;
+  }
+  if (mode < 1) {
+    refuse(source_, path_of(key), "must be \"mode \" and a number of at least 1",
+           fmt::format("write {} = \"mode 12\", or frequency_Hz = 24 for a frequency in hertz", key));
+  }
+  field = mode;
+}
+
+void Reader::catalogue(const char* key, Conductor& field, const Plain& spec) {
+  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+  if (!node) return;
+  const std::string name = to_text(*node, path_of(key), spec);
+  std::vector<std::string> names;
+  for (const conductor::CatalogueEntry& entry : conductor::catalogue()) {
+    names.emplace_back(entry.name);
+    if (entry.name != name) continue;
+    if (overridden(key)) {  // what the file says of its own conductor is not said of this one
+      for (const char* own : {"title", "source", "mass_kg_per_m", "rated_strength_kN"}) {
+        if (!overridden(own)) displaced_.insert(own);
+      }
+    }
+    const Document document = parse_document(entry.text, fmt::format("catalogue `{}`", name), {});
+    Reader(document.source, document.root, "").read(field);
+    field.catalogue = name;
+    return;
+  }
+  const auto near = near_word(name, names);
+  refuse(source_, path_of(key), "is not in the catalogue",
+         near ? fmt::format("did you mean `{}`? The catalogue holds {}", *near, list_words(names))
+              : fmt::format("the catalogue holds {}", list_words(names)));
+}
+
+void Reader::criteria(const char* key, Acceptance& field, const Plain& spec) {
+  const toml::node* node = take(key, spec.required, table_remedy(key, spec));
+  if (!node) return;
+  for (const auto& [quantity, entry] : to_table(*node, path_of(key))) {
+    const std::string path = fmt::format("{}.{}", path_of(key), spell_key(quantity.str()));
+    const toml::table* table = entry.as_table();
+    const bool nested = table && !table->empty() &&
+                        std::ranges::all_of(*table, [](const auto& child) { return child.second.is_table(); });
+    if (!table || nested) {
+      refuse(source_, path, nested ? "is a path without quotes" : "must be a table",
+             "write \"steady.damping_ratio\" = { below = 0.05, reason = \"...\" }, the path in quotes");
+    }
+    Criterion& criterion = field.criteria.emplace_back();
+    criterion.path = quantity.str();
+    Reader(source_, *table, path).read(criterion);
+  }
+}
+
+}  // namespace strandyn::casefile

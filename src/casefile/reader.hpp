@@ -1,0 +1,206 @@
+#pragma once
+/// \file The visitor that reads one table of TOML into its struct and refuses what is wrong with it.
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "keys.hpp"
+#include "strandyn/casefile/source.hpp"
+
+namespace strandyn::casefile {
+
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
+/// T of T and of std::optional<T>.
+template <class T>
+struct ValueOf {
+  using type = T;
+};
+template <class T>
+struct ValueOf<std::optional<T>> {
+  using type = T;
+};
+template <class T>
+using value_of = typename ValueOf<T>::type;
+
+class Reader {
+ public:
+  /// `path` is the key path of the table, empty for the whole file.
+  Reader(const Source& source, const toml::table& table, std::string path)
+      : source_(source), table_(table), path_(std::move(path)) {}
+
+  /// Reads the table: first which keys it knows, so that a slip of the pen is named before what it leaves missing.
+  template <class T>
+  void read(T& field) {
+    mode_ = Mode::list;
+    T probe{};
+    keys(*this, probe);
+    refuse_unknown_keys();
+    mode_ = Mode::read;
+    keys(*this, field);
+    refuse_keys_of_other_choices();
+  }
+
+  template <class T>
+  void number(const char* key, T& field, Number spec) {
+    spec.whole = std::is_same_v<value_of<T>, int>;
+    const toml::node* node = take(key, spec.required, "give " + describe(spec));
+    if (!node) return;
+    if constexpr (is_optional<T>) {
+      if (spec.word && node->value<std::string>() == spec.word) {
+        field.reset();
+        return;
+      }
+    }
+    field = static_cast<value_of<T>>(to_number(*node, path_of(key), spec));
+  }
+
+  /// A list, or a single number for a list of one.
+  void numbers(const char* key, std::vector<double>& field, const Number& spec);
+
+  void vector(const char* key, std::optional<Vector3>& field, const Plain& spec);
+
+  template <std::size_t N>
+  void rows(const char* key, std::vector<std::array<double, N>>& field, const std::array<Number, N>& columns,
+            const Plain& spec) {
+    const toml::node* node = take(key, spec.required, "give " + std::string(spec.help));
+    if (!node) return;
+    const std::string path = path_of(key);
+    field.clear();
+    for (const toml::array* row : to_rows(*node, path, N, spec)) {
+      const std::string row_path = path + index(field.size());
+      std::array<double, N>& values = field.emplace_back();
+      for (std::size_t j = 0; j < N; ++j) values[j] = to_number(*row->get(j), row_path + index(j), columns[j]);
+    }
+  }
+
+  template <class T>
+  void choice(const char* key, T& field, const Plain& spec) {
+    using E = value_of<T>;
+    std::vector<std::string> names;
+    for (const auto& named : choices<E>) names.emplace_back(named.name);
+    const toml::node* node = take(key, spec.required, choice_remedy(spec, names));
+    if (!node) return;
+    const std::string word = to_choice(*node, path_of(key), spec, names);
+    for (const auto& named : choices<E>) {
+      if (named.name == word) field = named.value;
+    }
+  }
+
+  template <class T>
+  void text(const char* key, T& field, const Plain& spec) {
+    if (const toml::node* node = take(key, spec.required, "give " + std::string(spec.help) + " in quotes")) {
+      field = to_text(*node, path_of(key), spec);
+    }
+  }
+
+  template <class T>
+  void flag(const char* key, T& field, const Plain& spec) {
+    if (const toml::node* node = take(key, spec.required, "give true or false")) {
+      field = to_flag(*node, path_of(key), spec);
+    }
+  }
+
+  void scalar(const char* key, std::optional<Scalar>& field, const Plain& spec);
+  void mode_word(const char* key, std::optional<int>& field, const Plain& spec);
+  /// Reads the entry of the catalogue into `field`; the keys that follow lie on top of it.
+  void catalogue(const char* key, Conductor& field, const Plain& spec);
+  void criteria(const char* key, Acceptance& field, const Plain& spec);
+
+  template <class T>
+  void table(const char* key, T& field, const Plain& spec) {
+    const toml::node* node = take(key, spec.required, table_remedy(key, spec));
+    if (!node) return;
+    if constexpr (is_optional<T>) {
+      Reader(source_, to_table(*node, path_of(key)), path_of(key)).read(field.emplace());
+    } else {
+      Reader(source_, to_table(*node, path_of(key)), path_of(key)).read(field);
+    }
+  }
+
+  template <class T>
+  void tables(const char* key, std::vector<T>& field, const Plain& spec) {
+    const toml::node* node = take(key, spec.required, table_remedy(key, spec));
+    if (!node) return;
+    field.clear();
+    for (const toml::table* element : to_tables(*node, path_of(key))) {
+      const std::string path = path_of(key) + index(field.size());
+      Reader(source_, *element, path).read(field.emplace_back());
+    }
+  }
+
+  void one_of(std::initializer_list<const char*> group, const OneOf& spec);
+
+  template <class E, class Keys>
+  void when(const char* selector, const E& value, std::initializer_list<E> wanted, Keys read_keys) {
+    if (mode_ == Mode::read) {
+      bool chosen = false;
+      for (const E choice : wanted) chosen = chosen || choice == value;
+      if (!chosen) {
+        mode_ = Mode::skip;
+        skipped_ = {selector, std::string(name_of(value)), {}};
+        for (const E choice : wanted) skipped_.names.emplace_back(name_of(choice));
+      }
+    }
+    read_keys();
+    if (mode_ == Mode::skip) mode_ = Mode::read;
+  }
+
+ private:
+  /// list: note which keys exist; read; skip: note the keys of a choice that was not made.
+  enum class Mode { list, read, skip };
+
+  /// The choices that a key belongs to, and the one that was made instead.
+  struct Choices {
+    std::string selector;
+    std::string chosen;
+    std::vector<std::string> names;
+  };
+
+  static std::string index(std::size_t i) { return fmt::format("[{}]", i); }
+  static std::string table_remedy(const char* key, const Plain& spec);
+  static std::string choice_remedy(const Plain& spec, const std::vector<std::string>& names);
+
+  std::string path_of(std::string_view key) const;
+  bool overridden(std::string_view key) const;
+  /// Whether the file or an override gives the key; `per_length = false` gives nothing.
+  bool given(const char* key) const;
+
+  /// The node to read for a key, or nothing; refuses the absence of a required key.
+  const toml::node* take(const char* key, bool required, const std::string& remedy);
+  void refuse_unknown_keys() const;
+  void refuse_keys_of_other_choices() const;
+
+  double to_number(const toml::node& node, const std::string& path, const Number& spec) const;
+  std::string to_text(const toml::node& node, const std::string& path, const Plain& spec) const;
+  bool to_flag(const toml::node& node, const std::string& path, const Plain& spec) const;
+  std::string to_choice(const toml::node& node, const std::string& path, const Plain& spec,
+                        const std::vector<std::string>& names) const;
+  std::vector<const toml::array*> to_rows(const toml::node& node, const std::string& path, std::size_t columns,
+                                          const Plain& spec) const;
+  const toml::table& to_table(const toml::node& node, const std::string& path) const;
+  std::vector<const toml::table*> to_tables(const toml::node& node, const std::string& path) const;
+
+  const Source& source_;
+  const toml::table& table_;
+  std::string path_;
+  Mode mode_ = Mode::read;
+  std::vector<std::string> known_;
+  std::set<std::string, std::less<>> taken_;
+  std::set<std::string, std::less<>> displaced_;  ///< keys of the file that an override excludes
+  Choices skipped_;
+  std::map<std::string, Choices, std::less<>> elsewhere_;
+};
+
+}  // namespace strandyn::casefile

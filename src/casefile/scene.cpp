@@ -1,0 +1,40 @@
+#include "strandyn/casefile/scene.hpp"
+
+#include <cmath>
+
+namespace strandyn::casefile {
+namespace {
+
+double rated_strength(const Scene& scene) {
+  return scene.conductor ? scene.conductor->strand.rated_strength : 0;
+}
+
+}  // namespace
+
+double Span::total_length() const {
+  double sum = length.value_or(0.0);
+  for (std::size_t i = 1; i < nodes.size(); ++i) {
+    sum += std::hypot(nodes[i][0] - nodes[i - 1][0], nodes[i][1] - nodes[i - 1][1], nodes[i][2] - nodes[i - 1][2]);
+  }
+  return sum;
+}
+
+std::optional<double> span_tension(const Scene& scene) {
+  if (!scene.span) return std::nullopt;
+  if (scene.span->tension_rts) return *scene.span->tension_rts * rated_strength(scene);
+  return scene.span->tension;
+}
+
+std::vector<double> section_tensions(const Scene& scene) {
+  std::vector<double> tensions = scene.analysis.section.tensions;
+  for (const double part : scene.analysis.section.tensions_rts) tensions.push_back(part * rated_strength(scene));
+  return tensions;
+}
+
+std::optional<double> mass_per_length(const Scene& scene) {
+  if (scene.section.mass_per_length) return scene.section.mass_per_length;
+  if (scene.conductor && scene.conductor->strand.mass_per_length > 0) return scene.conductor->strand.mass_per_length;
+  return std::nullopt;
+}
+
+}  // namespace strandyn::casefile

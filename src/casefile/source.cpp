@@ -1,0 +1,38 @@
+#include "strandyn/casefile/source.hpp"
+
+#include <fmt/format.h>
+
+#include "strandyn/core/error.hpp"
+
+namespace strandyn::casefile {
+
+const Source::Entry* Source::find(std::string_view key_path) const {
+  const auto entry = entries.find(key_path);
+  return entry == entries.end() ? nullptr : &entry->second;
+}
+
+std::string Source::place(std::string_view key_path) const {
+  for (std::string_view path = key_path; !path.empty(); path = parent_path(path)) {
+    if (const Entry* entry = find(path)) return entry->place;
+  }
+  return file + ":1:1";
+}
+
+std::string_view parent_path(std::string_view key_path) {
+  std::size_t cut = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < key_path.size(); ++i) {
+    if (key_path[i] == '"') quoted = !quoted;
+    if (!quoted && (key_path[i] == '.' || key_path[i] == '[')) cut = i;
+  }
+  return key_path.substr(0, cut);
+}
+
+void refuse(const Source& source, std::string_view key_path, std::string_view wrong, std::string_view right) {
+  const Source::Entry* entry = source.find(key_path);
+  std::string found = entry ? entry->text : "";
+  if (!found.empty()) found = " = " + found;
+  throw InputError(fmt::format("{}: {}{}: {}; {}", source.place(key_path), key_path, found, wrong, right));
+}
+
+}  // namespace strandyn::casefile

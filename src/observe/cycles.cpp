@@ -1,0 +1,118 @@
+#include "strandyn/observe/cycles.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace strandyn::observe {
+
+using model::unknowns_per_node;
+using section::Component;
+
+void CycleObserver::Range::restart(std::size_t size) {
+  low.assign(size, std::numeric_limits<double>::max());
+  high.assign(size, std::numeric_limits<double>::lowest());
+}
+
+void CycleObserver::Range::widen(std::size_t i, double value) {
+  low[i] = std::min(low[i], value);
+  high[i] = std::max(high[i], value);
+}
+
+void CycleObserver::begin(const system::System& system, const solver::StepRecord& initial) {
+  ledger_.begin(system, initial);
+  before_ = cycle_start_ = ledger_.now();
+  time_before_ = initial.time;
+  const auto& nodes = system.model().nodes;
+  const double left = nodes.front().x();
+  const double right = nodes.back().x();
+  // A span of fewer than three loops has no antinode away from its ends: then all nodes count.
+  const double margin = right - left >= 2.99 * options_.loop_length ? options_.loop_length : 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (nodes[i].x() >= left + margin && nodes[i].x() <= right - margin) inner_nodes_.push_back(i);
+  }
+  restart(system);
+  watch(system, initial);
+}
+
+void CycleObserver::restart(const system::System& system) {
+  deflection_.restart(inner_nodes_.size());
+  curvature_.restart(system.committed_strains().points());
+  friction_.assign(system.committed_strains().points(), 0.0);
+}
+
+void CycleObserver::watch(const system::System& system, const solver::StepRecord& record) {
+  for (std::size_t i = 0; i < inner_nodes_.size(); ++i) {
+    deflection_.widen(i, record.u(static_cast<Eigen::Index>(inner_nodes_[i] * unknowns_per_node + 1)));
+  }
+  const AlignedVector& chi = system.committed_strains()[Component::bending2];
+  for (std::size_t point = 0; point < friction_.size(); ++point) curvature_.widen(point, chi[point]);
+}
+
+void CycleObserver::step(const system::System& system, const solver::StepRecord& record) {
+  ledger_.step(system, record);
+  const AlignedVector& dissipated = system.step_energy().dissipated;
+  for (std::size_t point = 0; point < friction_.size(); ++point) friction_[point] += dissipated[point];
+  watch(system, record);
+
+  const double rounding = 1e-9 * options_.period;
+  for (;;) {
+    const double end = options_.period * static_cast<double>(cycles_.size() + 1);
+    if (record.time < end - rounding) break;
+    const double part = std::clamp((end - time_before_) / (record.time - time_before_), 0.0, 1.0);
+    end_cycle(interpolate(before_, ledger_.now(), part), end);
+    restart(system);
+    watch(system, record);
+  }
+  before_ = ledger_.now();
+  time_before_ = record.time;
+}
+
+void CycleObserver::end_cycle(const Account& at_end, double time) {
+  Cycle cycle{.end_time = time,
+              .external_work = at_end.external_work - cycle_start_.external_work,
+              .kinetic = at_end.kinetic,
+              .elastic = at_end.elastic,
+              .friction = at_end.friction - cycle_start_.friction,
+              .viscous = at_end.viscous - cycle_start_.viscous,
+              .numerical = at_end.numerical() - cycle_start_.numerical(),
+              .quadrature_error = at_end.quadrature_error - cycle_start_.quadrature_error,
+              .internal_work = at_end.internal_work - cycle_start_.internal_work};
+  for (std::size_t i = 0; i < inner_nodes_.size(); ++i) {
+    cycle.antinode_amplitude = std::max(cycle.antinode_amplitude, deflection_.amplitude(i));
+  }
+  PointRecord points{.friction = friction_, .curvature_amplitude = {}};
+  for (std::size_t point = 0; point < friction_.size(); ++point) {
+    points.curvature_amplitude.push_back(curvature_.amplitude(point));
+  }
+  for (std::size_t first = 0; first < friction_.size(); first += beam::gauss_points) {
+    const auto begin = friction_.begin() + static_cast<std::ptrdiff_t>(first);
+    const bool slips = std::any_of(begin, begin + beam::gauss_points, [](double loss) { return loss > 0; });
+    cycle.elements_slipping += slips ? 1 : 0;
+  }
+  kept_.push_back(std::move(points));
+  if (kept_.size() > options_.kept) kept_.pop_front();
+  cycles_.push_back(cycle);
+  cycle_start_ = at_end;
+}
+
+Profile CycleObserver::profile(const system::System& system) const {
+  const std::size_t points = system.committed_strains().points();
+  Profile profile{.position = {},
+                  .friction = std::vector<double>(points, 0.0),
+                  .curvature_amplitude = std::vector<double>(points, 0.0),
+                  .cycles = kept_.size()};
+  for (std::size_t point = 0; point < points; ++point) {
+    const std::size_t element = point / beam::gauss_points;
+    const double part = beam::gauss_position[point % beam::gauss_points];
+    const double left = system.model().nodes[element].x();
+    profile.position.push_back(left + part * (system.model().nodes[element + 1].x() - left));
+    for (const PointRecord& record : kept_) {
+      const double weight = 1 / static_cast<double>(kept_.size());
+      profile.friction[point] += weight * record.friction[point];
+      profile.curvature_amplitude[point] += weight * record.curvature_amplitude[point];
+    }
+  }
+  return profile;
+}
+
+}  // namespace strandyn::observe

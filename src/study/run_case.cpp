@@ -1,0 +1,130 @@
+#include "strandyn/study/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+
+#include "parts.hpp"
+#include "strandyn/casefile/echo.hpp"
+#include "strandyn/section/return_map.hpp"
+#include "strandyn/version.hpp"
+
+namespace strandyn::study {
+
+using casefile::AnalysisType;
+using json = nlohmann::ordered_json;
+
+namespace {
+
+json program() {
+  const section::VectorTarget target = section::vector_target();
+  return {{"name", "strandyn"},
+          {"version", program_version},
+          {"revision", program_revision},
+          {"compiler", program_compiler},
+          {"simd", target.name},
+          {"simd_doubles", target.lanes}};
+}
+
+json section_json(const casefile::SectionNumbers& n) {
+  return {{"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
+}
+
+void analyse(const casefile::Scene& scene, const Hooks& hooks, CaseResult& result) {
+  switch (scene.analysis.type) {
+    case AnalysisType::section:
+      return run_section(scene, result);
+    case AnalysisType::axial_torsion:
+      return run_axial_torsion(scene, result);
+    case AnalysisType::static_:
+      return run_static(scene, result);
+    case AnalysisType::modes:
+      return run_modes(scene, result);
+    case AnalysisType::decay:
+    case AnalysisType::forced:
+      return run_vibration(scene, hooks, result);
+  }
+}
+
+/// The share of the integrator in what is lost, against the bound that the case sets.
+void check_numerical_share(const casefile::Scene& scene, CaseResult& result) {
+  const auto& bound = scene.integrator.max_numerical_share;
+  if (!bound || result.exit_code != ExitCode::done || !result.summary.contains("steady")) return;
+  const json& steady = result.summary["steady"];
+  if (!steady.contains("numerical_share")) return;
+  const double share = steady["numerical_share"];
+  if (share <= *bound) return;
+  // Damping of the second-order formula goes with the third power of the step.
+  const double steps = steady["steps_per_cycle"].get<double>() * std::cbrt(share / *bound);
+  result.exit_code = ExitCode::not_converged;
+  result.message = fmt::format(
+      "the integrator's own damping is {:.3g} of the physical dissipation over the last cycles, above the case's bound "
+      "integrator.max_numerical_share = {:.3g}; about steps_per_cycle = {:.0f} would hold it", share, *bound,
+      std::ceil(steps / 10) * 10);
+}
+
+void judge_acceptance(const casefile::Scene& scene, CaseResult& result) {
+  result.verdicts = casefile::judge(scene.accept, result.summary, static_cast<int>(result.exit_code));
+  std::size_t failed = 0;
+  for (const casefile::Verdict& verdict : result.verdicts) failed += verdict.passed ? 0 : 1;
+  if (failed == 0 || result.exit_code != ExitCode::done) return;
+  result.exit_code = ExitCode::not_converged;
+  result.message = fmt::format("{} of the case's {} [accept] entries failed", failed, result.verdicts.size());
+}
+
+json verdicts_json(const std::vector<casefile::Verdict>& verdicts) {
+  json list = json::array();
+  for (const casefile::Verdict& v : verdicts) {
+    list.push_back({{"path", v.path}, {"found", v.found}, {"wanted", v.wanted}, {"passed", v.passed},
+                    {"reason", v.reason}});
+    if (!v.source.empty()) list.back()["source"] = v.source;
+  }
+  return list;
+}
+
+const char* status_word(ExitCode code) {
+  if (code == ExitCode::done) return "done";
+  return code == ExitCode::interrupted ? "interrupted" : "failed";
+}
+
+}  // namespace
+
+void add_effort(const system::System& system, json& cost) {
+  cost["residual_evaluations"] = system.residual_evaluations();
+  cost["jacobian_evaluations"] = system.jacobian_evaluations();
+  cost["section_evaluations"] = system.effort().evaluations;
+  cost["section_sweeps"] = system.effort().sweeps;
+}
+
+CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
+  const auto wall_start = std::chrono::steady_clock::now();
+  const std::clock_t cpu_start = std::clock();
+
+  CaseResult result;
+  json& s = result.summary;
+  s["title"] = scene.title;
+  s["status"] = "";  // set at the end; stands here so that it is read first
+  s["program"] = program();
+  s["case"] = casefile::case_as_run(scene);
+  s["section"] = section_json(casefile::section_numbers(scene));
+  s["cost"] = {{"wall_s", 0.0},          {"cpu_s", 0.0},
+               {"steps", 0},             {"rejected_steps", 0},
+               {"order_one_steps", 0},   {"residual_evaluations", 0},
+               {"jacobian_evaluations", 0}, {"section_evaluations", 0},
+               {"section_sweeps", 0}};
+  s["warnings"] = json::array();
+  analyse(scene, hooks, result);
+
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
+  s["cost"]["wall_s"] = wall.count();
+  s["cost"]["cpu_s"] = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  check_numerical_share(scene, result);
+  judge_acceptance(scene, result);
+  s["status"] = status_word(result.exit_code);
+  if (!result.message.empty()) s["message"] = result.message;
+  if (!result.verdicts.empty()) s["accept"] = verdicts_json(result.verdicts);
+  return result;
+}
+
+}  // namespace strandyn::study

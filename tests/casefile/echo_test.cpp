@@ -1,0 +1,84 @@
+#include "strandyn/casefile/echo.hpp"
+
+#include <doctest/doctest.h>
+
+#include "texts.hpp"
+
+using namespace strandyn;
+using nlohmann::ordered_json;
+using strandyn::test::beam;
+using strandyn::test::lab_span;
+using strandyn::test::read;
+using strandyn::test::three_layers;
+
+namespace {
+
+/// JSON values are TOML values but for the colon in a table.
+std::string to_toml(const ordered_json& value) {
+  std::string text;
+  if (value.is_object()) {
+    for (const auto& [key, child] : value.items())
+      text += (text.empty() ? "" : ", ") + ordered_json(key).dump() + " = " + to_toml(child);
+    return "{" + text + "}";
+  }
+  if (value.is_array()) {
+    for (const auto& child : value) text += to_toml(child) + ", ";
+    return "[" + text + "]";
+  }
+  return value.dump();
+}
+
+std::string case_of(const ordered_json& echo) {
+  std::string text;
+  for (const auto& [key, child] : echo.items()) text += key + " = " + to_toml(child) + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("the case as run speaks in the case's own keys and units, defaults filled in") {
+  const ordered_json echo = casefile::case_as_run(read(lab_span));
+  CHECK(echo["span"]["tension_kN"].dump() == "24.4");
+  CHECK(echo["span"]["elements"].dump() == "80");
+  CHECK(echo["span"]["left"] == "clamped");
+  CHECK(echo["span"]["gravity"] == false);
+  CHECK(echo["conductor"]["catalogue"] == "curlew");
+  CHECK(echo["integrator"]["steps_per_cycle"] == 200);
+  CHECK_FALSE(echo["span"].contains("tension_rts"));
+  CHECK_FALSE(echo["analysis"].contains("count"));
+  CHECK(casefile::case_as_run(read(beam))["span"]["elements"] == "auto");
+}
+
+TEST_CASE("the case as run shows the layers of the conductor as resolved") {
+  const ordered_json layer = casefile::case_as_run(read(lab_span))["conductor"]["layer"][4];
+  CHECK(layer["lay_angle_deg"].dump() == "-14.2");
+  CHECK(layer["helix_radius_mm"].dump() == "14.08");
+  CHECK(layer["friction_inner"].dump() == "0.7");
+  CHECK(layer["residual_force_N_per_mm"].dump() == "0.333");
+  const ordered_json bare = casefile::case_as_run(read(lab_span, {"conductor.residual_forces=false"}));
+  CHECK(bare["conductor"]["layer"][4]["residual_force_N_per_mm"] == 0);
+}
+
+TEST_CASE("the case as run, read again, is the same case") {
+  const std::string rich = three_layers + R"([damping]
+modal = [[1, 0.01], [2, 0.02]]
+rayleigh = { mass = 0.1, stiffness = 1e-5 }
+[span]
+nodes_m = [[0, 0, 0], [1, 2, 3]]
+dimension = "spatial"
+[[load]]
+type = "table"
+per_length = true
+moment = true
+history = [[0, 0], [1.5, 2.5]]
+[accept]
+"fixed_end[0].k1_N" = { expected = 1.25, absolute = 0.5, reason = "r", source = "s" }
+"status" = { expected = "done", reason = "r" }
+)";
+  for (const std::string& text : {lab_span, beam, rich}) {
+    ordered_json echo = casefile::case_as_run(read(text));
+    if (echo.contains("conductor")) echo["conductor"].erase("catalogue");  // its layers stand there too
+    CAPTURE(case_of(echo));
+    CHECK(casefile::case_as_run(read(case_of(echo))).dump() == echo.dump());
+  }
+}

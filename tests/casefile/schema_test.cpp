@@ -1,0 +1,97 @@
+#include "strandyn/casefile/schema.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "strandyn/casefile/echo.hpp"
+#include "texts.hpp"
+
+using nlohmann::ordered_json;
+using strandyn::casefile::case_as_run;
+using strandyn::casefile::case_schema;
+
+namespace {
+
+/// Every key of `value` is a property that the schema describes.
+void check_described(const ordered_json& value, const ordered_json& schema, const std::string& path) {
+  CAPTURE(path);
+  if (value.is_object()) {
+    for (const auto& [key, child] : value.items()) {
+      const bool known = schema.contains("properties") && schema["properties"].contains(key);
+      const bool open = schema.contains("additionalProperties") && schema["additionalProperties"].is_object();
+      CAPTURE(key);
+      REQUIRE((known || open));
+      check_described(child, known ? schema["properties"][key] : schema["additionalProperties"], path + "." + key);
+    }
+  } else if (value.is_array() && schema.contains("items")) {
+    for (const auto& child : value) check_described(child, schema["items"], path + "[]");
+  }
+}
+
+/// Calls `visit(key, schema)` for every property, at any depth.
+template <class Visit>
+void for_each_property(const ordered_json& schema, const Visit& visit) {
+  if (schema.contains("properties")) {
+    for (const auto& [key, child] : schema["properties"].items()) {
+      visit(key, child);
+      for_each_property(child, visit);
+    }
+  }
+  for (const char* inside : {"items", "additionalProperties"}) {
+    if (schema.contains(inside) && schema[inside].is_object()) for_each_property(schema[inside], visit);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the schema says unit, default, bounds, choices and need of a key") {
+  const ordered_json schema = case_schema();
+  CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
+  CHECK(schema["required"] == ordered_json::array({"analysis"}));
+  CHECK(schema["additionalProperties"] == false);
+  const ordered_json& span = schema["properties"]["span"]["properties"];
+  CHECK(span["length_m"]["exclusiveMinimum"] == 0);
+  CHECK(span["length_m"]["description"] == "the distance between the supports in metres");
+  CHECK(span["mass"]["default"] == "lumped");
+  CHECK(span["left"]["enum"] == ordered_json::array({"clamped", "pinned", "roller", "free"}));
+  CHECK(span["elements"]["anyOf"][1]["const"] == "auto");
+  const ordered_json& points = schema["properties"]["section"]["properties"]["points"];
+  CHECK(points["type"] == "integer");
+  CHECK(points["multipleOf"] == 4);
+  CHECK(points["default"] == 36);
+}
+
+TEST_CASE("the schema describes every key that a case as run shows") {
+  for (const std::string& text : {strandyn::test::lab_span, strandyn::test::beam, strandyn::test::three_layers}) {
+    check_described(case_as_run(strandyn::test::read(text)), case_schema(), "");
+  }
+}
+
+TEST_CASE("every key has a help text, and a unit in the text stands in the name of the key") {
+  int keys = 0;
+  for_each_property(case_schema(), [&](const std::string& key, const ordered_json& schema) {
+    ++keys;
+    CAPTURE(key);
+    const std::string help = schema.value("description", "");
+    CHECK(help.size() > 3);
+    for (const auto& [words, suffix] :
+         {std::pair{" in millimetres", "_mm"}, std::pair{" in kilonewtons", "_kN"},
+          std::pair{" in gigapascals", "_GPa"}, std::pair{" in degrees", "_deg"}, std::pair{" in hertz", "_Hz"},
+          std::pair{" in newtons per millimetre", "_N_per_mm"}}) {
+      const bool named = key.ends_with(suffix) && !key.ends_with(std::string("_per") + suffix);
+      CHECK((help.find(words) != std::string::npos) == named);
+    }
+  });
+  CHECK(keys > 80);
+}
+
+TEST_CASE("the schema ties a key to the choice that it belongs to") {
+  const ordered_json rules = case_schema()["properties"]["analysis"]["allOf"];
+  bool found = false;
+  for (const auto& rule : rules) {
+    if (rule.value("if", ordered_json{}) != ordered_json{{"required", {"count"}}}) continue;
+    found = rule["then"]["properties"]["type"]["enum"] == ordered_json::array({"modes"});
+  }
+  CHECK(found);
+}
