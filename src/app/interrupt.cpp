@@ -19,6 +19,8 @@ void watch_for_interrupt() {
   std::signal(SIGTERM, note);
 }
 
-bool interrupted() { return noted != 0; }
+bool interrupted() {
+  return noted != 0;
+}
 
 }  // namespace strandyn::app

@@ -32,7 +32,8 @@ CLI::App* add_case_verb(CLI::App& program, const char* name, const char* help, a
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App program{"Vibration of stranded overhead conductors in time, and the energy they lose per cycle.", "strandyn"};
+  CLI::App program{"Vibration of stranded overhead conductors in time, and the energy they lose per cycle.",
+                   "strandyn"};
   program.set_version_flag("--version", fmt::format("strandyn {} ({}, {})", strandyn::program_version,
                                                     strandyn::program_revision, strandyn::program_compiler));
   program.require_subcommand(1);
@@ -51,7 +52,8 @@ int main(int argc, char** argv) {
   add_case_verb(program, "check", "read and validate a case, run nothing", arguments)->callback([&] {
     verb = [&] { return app::check(arguments.file, arguments.overrides); };
   });
-  add_case_verb(program, "describe", "the resolved case in SI units, what will be modelled, the expected cost", arguments)
+  add_case_verb(program, "describe", "the resolved case in SI units, what will be modelled, the expected cost",
+                arguments)
       ->callback([&] { verb = [&] { return app::describe(arguments.file, arguments.overrides); }; });
 
   CLI::App* conductors = program.add_subcommand("conductors", "the catalogue of conductors");

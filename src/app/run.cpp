@@ -20,11 +20,10 @@ void write_results(const std::filesystem::path& folder, const study::CaseResult&
 }
 
 std::string verdict_table(const std::vector<casefile::Verdict>& verdicts) {
-  report::TextTable table({{"accept", "", 4, report::Align::left},
-                           {"found", ""},
-                           {"wanted", ""},
-                           {"", "", 4, report::Align::left}});
-  for (const casefile::Verdict& v : verdicts) table.add_row({v.path, v.found, v.wanted, v.passed ? "passed" : "FAILED"});
+  report::TextTable table(
+      {{"accept", "", 4, report::Align::left}, {"found", ""}, {"wanted", ""}, {"", "", 4, report::Align::left}});
+  for (const casefile::Verdict& v : verdicts)
+    table.add_row({v.path, v.found, v.wanted, v.passed ? "passed" : "FAILED"});
   return table.str();
 }
 
@@ -33,12 +32,12 @@ std::string headline(const nlohmann::ordered_json& s) {
   std::string text;
   if (s.contains("steady")) {
     const auto& steady = s["steady"];
-    text += fmt::format("last {} cycles at {:.4f} Hz: antinode amplitude {:.4g} mm, friction {:.4g} J per cycle, "
-                        "self-damping {:.4g} mW/m, damping ratio {:.4g}\n",
-                        steady["cycles"].get<int>(), steady["frequency_Hz"].get<double>(),
-                        1e3 * steady["antinode_amplitude_m"].get<double>(),
-                        steady["friction_dissipation_J"].get<double>(),
-                        1e3 * steady["self_damping_W_per_m"].get<double>(), steady["damping_ratio"].get<double>());
+    text += fmt::format(
+        "last {} cycles at {:.4f} Hz: antinode amplitude {:.4g} mm, friction {:.4g} J per cycle, "
+        "self-damping {:.4g} mW/m, damping ratio {:.4g}\n",
+        steady["cycles"].get<int>(), steady["frequency_Hz"].get<double>(),
+        1e3 * steady["antinode_amplitude_m"].get<double>(), steady["friction_dissipation_J"].get<double>(),
+        1e3 * steady["self_damping_W_per_m"].get<double>(), steady["damping_ratio"].get<double>());
     text += steady.contains("numerical_share")
                 ? fmt::format("numerical part {:.3g} J per cycle: {:.3g} % of what friction and viscous damping take\n",
                               steady["numerical_dissipation_J"].get<double>(),

@@ -15,7 +15,8 @@ namespace {
 
 /// The smallest case that brings a conductor through the reader.
 casefile::Scene scene_of(std::string_view conductor) {
-  const std::string text = fmt::format("[conductor]\ncatalogue = \"{}\"\n[analysis]\ntype = \"axial-torsion\"\n", conductor);
+  const std::string text =
+      fmt::format("[conductor]\ncatalogue = \"{}\"\n[analysis]\ntype = \"axial-torsion\"\n", conductor);
   return casefile::read_scene_text(text, "the catalogue");
 }
 

@@ -19,7 +19,7 @@ std::array<double, 2> curvature_slope(std::size_t g) {
 
 /// Forces that work on the chord's stretch and on the two rotations in the chord's frame.
 struct LocalForce {
-  double stretch = 0;             ///< [N]
+  double stretch = 0;              ///< [N]
   std::array<double, 2> moment{};  ///< [N m]
 };
 

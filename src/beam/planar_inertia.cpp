@@ -24,9 +24,9 @@ Tangents tangents(const PlanarElement& element, const PlanarVector& q) {
 Eigen::Matrix4d hermite_table(const PlanarElement& element, const Inertia& inertia) {
   const double l = element.length;
   Eigen::Matrix4d m;
-  m << 156, 22 * l, 54, -13 * l,          //
+  m << 156, 22 * l, 54, -13 * l,              //
       22 * l, 4 * l * l, 13 * l, -3 * l * l,  //
-      54, 13 * l, 156, -22 * l,           //
+      54, 13 * l, 156, -22 * l,               //
       -13 * l, -3 * l * l, -22 * l, 4 * l * l;
   return inertia.mass * l / 420 * m;
 }

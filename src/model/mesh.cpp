@@ -18,7 +18,7 @@ double count_from_end(double s, double end_size, double growth, double middle) {
 /// The span cut into a left and a right half, each counted from its own end.
 struct Counter {
   const MeshOptions& o;
-  double scale;   // all wanted sizes times this
+  double scale;  // all wanted sizes times this
   double middle;
 
   double half(double s, bool graded) const {

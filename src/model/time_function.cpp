@@ -7,15 +7,19 @@
 namespace strandyn::model {
 namespace {
 
-double evaluate(const Constant&, double) { return 1; }
+double evaluate(const Constant&, double) {
+  return 1;
+}
 
-double evaluate(const Harmonic& h, double t) { return std::sin(2 * std::numbers::pi * h.frequency * t); }
+double evaluate(const Harmonic& h, double t) {
+  return std::sin(2 * std::numbers::pi * h.frequency * t);
+}
 
 double evaluate(const Tabulated& table, double t) {
   if (t <= table.time.front()) return table.value.front();
   if (t >= table.time.back()) return table.value.back();
-  const auto next = static_cast<std::size_t>(
-      std::upper_bound(table.time.begin(), table.time.end(), t) - table.time.begin());
+  const auto next =
+      static_cast<std::size_t>(std::upper_bound(table.time.begin(), table.time.end(), t) - table.time.begin());
   const double part = (t - table.time[next - 1]) / (table.time[next] - table.time[next - 1]);
   return table.value[next - 1] + part * (table.value[next] - table.value[next - 1]);
 }

@@ -13,7 +13,9 @@ namespace strandyn::solver {
 namespace {
 
 /// IDA's error test sees this: small enough to pass always, the same at every order, so that order 2 is kept.
-realtype constant_error(N_Vector, N_Vector, N_Vector) { return 1e-4; }
+realtype constant_error(N_Vector, N_Vector, N_Vector) {
+  return 1e-4;
+}
 
 void check(int flag, const char* call) {
   if (flag < 0) throw ComputationError(fmt::format("{} failed with code {}", call, flag));
@@ -115,9 +117,8 @@ int IdaSession::guarded(F&& work) {
 
 int IdaSession::residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self) {
   auto& session = *static_cast<IdaSession*>(self);
-  return session.guarded([&] {
-    session.problem_.residual(t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp), N_VGetArrayPointer(f));
-  });
+  return session.guarded(
+      [&] { session.problem_.residual(t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp), N_VGetArrayPointer(f)); });
 }
 
 int IdaSession::refresh(realtype, realtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector, N_Vector,
@@ -140,7 +141,8 @@ int IdaSession::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
   });
 }
 
-int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector correction, realtype, N_Vector, void* self) {
+int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector correction, realtype, N_Vector,
+                              void* self) {
   auto& session = *static_cast<IdaSession*>(self);
   const double* du = N_VGetArrayPointer(correction);
   const std::size_t n = session.problem_.unknowns();
@@ -197,8 +199,10 @@ std::size_t IdaSession::newton_iterations() const {
 std::string IdaSession::failure() const {
   realtype h = 0;
   IDAGetCurrentStep(ida_.get(), &h);
-  std::string text = fmt::format("the step at t = {:.6g} s did not converge, even cut to {:.3g} s (order {}, {} steps cut "
-                                 "in all)", time_, h, last_order(), rejected_steps());
+  std::string text = fmt::format(
+      "the step at t = {:.6g} s did not converge, even cut to {:.3g} s (order {}, {} steps cut "
+      "in all)",
+      time_, h, last_order(), rejected_steps());
   std::vector<std::size_t> order(static_cast<std::size_t>(last_correction_.size()));
   std::iota(order.begin(), order.end(), 0);
   const std::size_t shown = std::min<std::size_t>(10, order.size());

@@ -78,8 +78,8 @@ class IdaSession {
   Owned<SUNNonlinearSolver, FreeNonlinearSolver> nonlinear_;
   std::unique_ptr<void, FreeIda> ida_;
   double time_ = 0;
-  double previous_norm_ = 0;            // of the Newton correction before this one
-  system::Vector last_correction_;      // kept to name the worst unknowns of a failed step
+  double previous_norm_ = 0;        // of the Newton correction before this one
+  system::Vector last_correction_;  // kept to name the worst unknowns of a failed step
   std::exception_ptr exception_;
 };
 

@@ -1,8 +1,7 @@
 #include "strandyn/solver/modes.hpp"
 
-#include <fmt/format.h>
-
 #include <Spectra/SymGEigsShiftSolver.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -127,15 +126,17 @@ std::vector<Mode> lowest_modes(const System& system, const Vector& u, std::size_
   std::size_t with_mass = 0;
   for (std::size_t i = 0; i < system.unknowns(); ++i) with_mass += system.has_mass(i);
   if (count > with_mass || with_mass < 2) {
-    throw ComputationError(fmt::format("{} modes were asked for, but the mesh has only {} unknowns with mass; "
-                                       "give more [span] elements", count, with_mass));
+    throw ComputationError(
+        fmt::format("{} modes were asked for, but the mesh has only {} unknowns with mass; "
+                    "give more [span] elements",
+                    count, with_mass));
   }
   ShiftedInverse inverse(K, M, size);
   MassProduct mass(M, size);
   const auto wanted = static_cast<Eigen::Index>(std::min(count, with_mass - 1));
   const auto basis = std::min<Eigen::Index>(static_cast<Eigen::Index>(with_mass), 2 * wanted + 20);
-  Spectra::SymGEigsShiftSolver<ShiftedInverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(inverse, mass, wanted,
-                                                                                                   basis, 0.0);
+  Spectra::SymGEigsShiftSolver<ShiftedInverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(inverse, mass,
+                                                                                                    wanted, basis, 0.0);
   // Unknowns without mass must begin in balance with the others: one pass through M and K^-1 brings them there.
   Vector start = Vector::LinSpaced(size, 1.0, 2.0).array().sin();
   Vector product(size);
@@ -150,8 +151,10 @@ std::vector<Mode> lowest_modes(const System& system, const Vector& u, std::size_
   for (Eigen::Index i = 0; i < wanted; ++i) {
     const double omega2 = solver.eigenvalues()(i);
     if (omega2 < 0) {
-      throw ComputationError(fmt::format("mode {} has a negative stiffness (omega^2 = {:.3g} 1/s^2): the state about "
-                                         "which it vibrates is unstable; raise the tension", i + 1, omega2));
+      throw ComputationError(
+          fmt::format("mode {} has a negative stiffness (omega^2 = {:.3g} 1/s^2): the state about "
+                      "which it vibrates is unstable; raise the tension",
+                      i + 1, omega2));
     }
     modes.push_back(scaled(omega2, solver.eigenvectors().col(i)));
   }
@@ -171,8 +174,10 @@ std::vector<Mode> transverse_modes(const System& system, const Vector& u, std::s
       return modes;
     }
     if (asked + 1 >= with_mass) {
-      throw ComputationError(fmt::format("the mesh carries only {} modes across the span, mode {} was asked for; "
-                                         "give more [span] elements", modes.size(), count));
+      throw ComputationError(
+          fmt::format("the mesh carries only {} modes across the span, mode {} was asked for; "
+                      "give more [span] elements",
+                      modes.size(), count));
     }
   }
 }

@@ -27,7 +27,7 @@ struct SpanAtRest {
 
 /// How a vibration is to be integrated.
 struct VibrationPlan {
-  double frequency = 0;       ///< [Hz] that a cycle refers to
+  double frequency = 0;  ///< [Hz] that a cycle refers to
   std::size_t cycles = 0;
   bool until_steady = false;  ///< then `cycles` is the most that will be run
   double step = 0;            ///< [s]

@@ -9,8 +9,8 @@
 namespace strandyn::study {
 
 using casefile::AnalysisType;
-using casefile::Scene;
 using casefile::refuse;
+using casefile::Scene;
 
 namespace {
 
@@ -31,8 +31,8 @@ double load_frequencies(const Scene& scene, SpanAtRest& span, const std::vector<
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const casefile::Load& load = scene.loads[i];
     if (load.type != casefile::LoadType::harmonic_force) continue;
-    const double frequency = load.frequency_mode ? modes[static_cast<std::size_t>(*load.frequency_mode) - 1].frequency
-                                                 : *load.frequency;
+    const double frequency =
+        load.frequency_mode ? modes[static_cast<std::size_t>(*load.frequency_mode) - 1].frequency : *load.frequency;
     casefile::set_load_frequency(span.built, i, frequency);
     highest = std::max(highest, frequency);
   }

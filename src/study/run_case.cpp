@@ -19,16 +19,13 @@ namespace {
 
 json program() {
   const section::VectorTarget target = section::vector_target();
-  return {{"name", "strandyn"},
-          {"version", program_version},
-          {"revision", program_revision},
-          {"compiler", program_compiler},
-          {"simd", target.name},
-          {"simd_doubles", target.lanes}};
+  return {{"name", "strandyn"},           {"version", program_version}, {"revision", program_revision},
+          {"compiler", program_compiler}, {"simd", target.name},        {"simd_doubles", target.lanes}};
 }
 
 json section_json(const casefile::SectionNumbers& n) {
-  return {{"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
+  return {
+      {"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
 }
 
 void analyse(const casefile::Scene& scene, const Hooks& hooks, CaseResult& result) {
@@ -60,8 +57,8 @@ void check_numerical_share(const casefile::Scene& scene, CaseResult& result) {
   result.exit_code = ExitCode::not_converged;
   result.message = fmt::format(
       "the integrator's own damping is {:.3g} of the physical dissipation over the last cycles, above the case's bound "
-      "integrator.max_numerical_share = {:.3g}; about steps_per_cycle = {:.0f} would hold it", share, *bound,
-      std::ceil(steps / 10) * 10);
+      "integrator.max_numerical_share = {:.3g}; about steps_per_cycle = {:.0f} would hold it",
+      share, *bound, std::ceil(steps / 10) * 10);
 }
 
 void judge_acceptance(const casefile::Scene& scene, CaseResult& result) {
@@ -76,8 +73,8 @@ void judge_acceptance(const casefile::Scene& scene, CaseResult& result) {
 json verdicts_json(const std::vector<casefile::Verdict>& verdicts) {
   json list = json::array();
   for (const casefile::Verdict& v : verdicts) {
-    list.push_back({{"path", v.path}, {"found", v.found}, {"wanted", v.wanted}, {"passed", v.passed},
-                    {"reason", v.reason}});
+    list.push_back(
+        {{"path", v.path}, {"found", v.found}, {"wanted", v.wanted}, {"passed", v.passed}, {"reason", v.reason}});
     if (!v.source.empty()) list.back()["source"] = v.source;
   }
   return list;
@@ -108,10 +105,14 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   s["program"] = program();
   s["case"] = casefile::case_as_run(scene);
   s["section"] = section_json(casefile::section_numbers(scene));
-  s["cost"] = {{"wall_s", 0.0},          {"cpu_s", 0.0},
-               {"steps", 0},             {"rejected_steps", 0},
-               {"order_one_steps", 0},   {"residual_evaluations", 0},
-               {"jacobian_evaluations", 0}, {"section_evaluations", 0},
+  s["cost"] = {{"wall_s", 0.0},
+               {"cpu_s", 0.0},
+               {"steps", 0},
+               {"rejected_steps", 0},
+               {"order_one_steps", 0},
+               {"residual_evaluations", 0},
+               {"jacobian_evaluations", 0},
+               {"section_evaluations", 0},
                {"section_sweeps", 0}};
   s["warnings"] = json::array();
   analyse(scene, hooks, result);

@@ -20,9 +20,9 @@ namespace {
 
 /// One symmetric loop of curvature at constant tension.
 struct Loop {
-  double tension = 0;    ///< [N]
-  double amplitude = 0;  ///< [1/m]
-  double area = 0;       ///< [J/m] of the second cycle
+  double tension = 0;         ///< [N]
+  double amplitude = 0;       ///< [1/m]
+  double area = 0;            ///< [J/m] of the second cycle
   double largest_moment = 0;  ///< [N m] in it
 };
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "parts.hpp"
@@ -51,15 +52,17 @@ void add_cycles(const std::vector<Cycle>& cycles, CaseResult& result) {
 void add_steady(const Scene& scene, const VibrationPlan& plan, const std::vector<Cycle>& cycles, CaseResult& result) {
   std::vector<analysis::CycleLosses> losses;
   for (const Cycle& c : cycles) losses.push_back({c.antinode_amplitude, c.friction, c.viscous, c.numerical});
-  const analysis::SteadyState s = analysis::steady_state(losses, {.frequency = plan.frequency,
-                                                                  .length = scene.span->total_length(),
-                                                                  .mass_per_length = *casefile::mass_per_length(scene)});
+  const analysis::SteadyState s =
+      analysis::steady_state(losses, {.frequency = plan.frequency,
+                                      .length = scene.span->total_length(),
+                                      .mass_per_length = *casefile::mass_per_length(scene)});
   if (s.cycles == 0) return;
   // Means of what a cycle lists, over the same cycles.
   json mean = cycle_json({});
   for (const auto& [key, value] : mean.items()) {
     double sum = 0;
-    for (std::size_t i = cycles.size() - s.cycles; i < cycles.size(); ++i) sum += result.summary["cycles"][i][key].get<double>();
+    for (std::size_t i = cycles.size() - s.cycles; i < cycles.size(); ++i)
+      sum += result.summary["cycles"][i][key].get<double>();
     mean[key] = sum / static_cast<double>(s.cycles);
   }
   mean["t_s"] = cycles.back().end_time;
@@ -118,6 +121,17 @@ class ProgressReport final : public solver::Observer {
   const observe::CycleObserver& cycles_;
 };
 
+/// A wave wants some elements: with fewer than four a loop, frequencies and losses are the mesh's own.
+void warn_of_coarse_mesh(const SpanAtRest& span, double loop_length, CaseResult& result) {
+  constexpr double least_per_loop = 4;
+  double longest = 0;
+  for (const beam::PlanarElement& element : span.built.model.elements) longest = std::max(longest, element.length);
+  if (longest * least_per_loop <= loop_length) return;
+  result.summary["warnings"].push_back(fmt::format(
+      "the longest element, {:.3g} m, is more than 1/4 of a loop ({:.3g} m): give more [span] elements, or \"auto\"",
+      longest, loop_length));
+}
+
 void add_integration(const solver::IdaSummary& run, const system::System& system, CaseResult& result) {
   json& cost = result.summary["cost"];
   cost["steps"] = run.steps;
@@ -138,8 +152,9 @@ void run_vibration(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   solver::find_equilibrium(span.system, span.u, {});
   const VibrationPlan plan = plan_vibration(scene, span);
 
-  observe::CycleObserver cycles({.period = 1 / plan.frequency,
-                                 .loop_length = casefile::loop_length(scene, span.built.tension, plan.frequency)});
+  const double loop_length = casefile::loop_length(scene, span.built.tension, plan.frequency);
+  warn_of_coarse_mesh(span, loop_length, result);
+  observe::CycleObserver cycles({.period = 1 / plan.frequency, .loop_length = loop_length});
   ProgressReport progress(plan, hooks, cycles);
   solver::Observer* const observers[] = {&cycles, &progress};
   bool interrupted = false;
@@ -153,13 +168,12 @@ void run_vibration(const Scene& scene, const Hooks& hooks, CaseResult& result) {
     }
     return interrupted || steady;
   };
-  const solver::IdaSummary run =
-      solver::integrate_ida(span.system, {.u = span.u, .v = plan.velocity},
-                            {.step = plan.step,
-                             .end_time = static_cast<double>(plan.cycles) / plan.frequency,
-                             .newton_tolerance = scene.integrator.newton_tolerance,
-                             .stop = stop},
-                            observers);
+  const solver::IdaSummary run = solver::integrate_ida(span.system, {.u = span.u, .v = plan.velocity},
+                                                       {.step = plan.step,
+                                                        .end_time = static_cast<double>(plan.cycles) / plan.frequency,
+                                                        .newton_tolerance = scene.integrator.newton_tolerance,
+                                                        .stop = stop},
+                                                       observers);
 
   add_integration(run, span.system, result);
   add_cycles(cycles.cycles(), result);

@@ -135,8 +135,7 @@ void System::add_inertia_and_drag(const Motion& m, double* f) const {
     for (std::size_t i = 0; i < unknowns(); ++i) f[i] += lumped_(static_cast<Eigen::Index>(i)) * m.a[i];
   } else {
     for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-      of_element(f, e) +=
-          beam::consistent_inertia_force(model_.elements[e], model_.inertia, motion_of_element(m, e));
+      of_element(f, e) += beam::consistent_inertia_force(model_.elements[e], model_.inertia, motion_of_element(m, e));
     }
   }
   if (model_.drag > 0) {
@@ -158,7 +157,8 @@ void System::add_inertia_and_drag(const Motion& m, InertiaFactors factors, Matri
   if (!consistent) return;
   for (std::size_t e = 0; e < model_.elements.size(); ++e) {
     const auto t = beam::consistent_inertia_tangent(model_.elements[e], model_.inertia, motion_of_element(m, e));
-    const PlanarMatrix sum = factors.acceleration * t.mass + factors.velocity * t.velocity + factors.position * t.position;
+    const PlanarMatrix sum =
+        factors.acceleration * t.mass + factors.velocity * t.velocity + factors.position * t.position;
     K.add_element(e, sum);
   }
 }

@@ -34,7 +34,8 @@ void check_energies(const section::Law& law, const LawDescription& what);
 /// respond writes no history, trial evaluations leave no trace, equal input gives equal bytes, and a state that is
 /// accepted answers as it did on trial; accepted again, it loses nothing.
 void check_purity(const section::Law& law, const LawDescription& what);
-/// A point answers the same, to the bit, alone and among whatever neighbours, with and without the tangent.
+/// A point answers the same, to the bit, alone and among whatever neighbours; and the same, to rounding, with and
+/// without the tangent.
 void check_neighbours(const section::Law& law, const LawDescription& what);
 /// At constant tension a closed loop of curvature repeats after its first cycle.
 void check_closed_loop(const section::Law& law, const LawDescription& what);

@@ -1,5 +1,6 @@
 #pragma once
-/// \file The comparison of this house: relative to the expected value or absolute, never a mixture, and it prints digits.
+/// \file The comparison of this house: relative to the expected value or absolute, never a mixture, and it prints
+/// digits.
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -25,9 +26,9 @@ inline double correct_digits(double got, double expected) {
 /// Fails, with both values and the digits that agree, unless |got - expected| <= absolute + relative |expected|.
 inline void check_close(double got, double expected, Within within, const std::string& what = {}) {
   const double allowed = within.absolute + within.relative * std::abs(expected);
-  const std::string report = fmt::format("{} got {:.12g}, expected {:.12g}: {:.1f} digits, off by {:.3g}, allowed {:.3g}",
-                                         what, got, expected, correct_digits(got, expected), std::abs(got - expected),
-                                         allowed);
+  const std::string report =
+      fmt::format("{} got {:.12g}, expected {:.12g}: {:.1f} digits, off by {:.3g}, allowed {:.3g}", what, got, expected,
+                  correct_digits(got, expected), std::abs(got - expected), allowed);
   CHECK_MESSAGE(std::abs(got - expected) <= allowed, report);
 }
 

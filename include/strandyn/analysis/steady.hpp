@@ -26,13 +26,13 @@ struct SpanNumbers {
 };
 
 struct SteadyState {
-  std::size_t cycles = 0;                   ///< over how many the means were taken
-  double antinode_amplitude = 0;            ///< [m] mean
-  double dissipation = 0;                   ///< [J] mean per cycle, friction and viscous
-  double self_damping = 0;                  ///< [W/m]
-  double damping_ratio = 0;                 ///< [-] zeta
-  double loss_factor = 0;                   ///< [-]
-  std::optional<double> numerical_share;    ///< [-] nothing where nothing is dissipated
+  std::size_t cycles = 0;                 ///< over how many the means were taken
+  double antinode_amplitude = 0;          ///< [m] mean
+  double dissipation = 0;                 ///< [J] mean per cycle, friction and viscous
+  double self_damping = 0;                ///< [W/m]
+  double damping_ratio = 0;               ///< [-] zeta
+  double loss_factor = 0;                 ///< [-]
+  std::optional<double> numerical_share;  ///< [-] nothing where nothing is dissipated
 };
 
 /// Over the last `last` cycles, or all if there are fewer.

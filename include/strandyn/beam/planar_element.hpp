@@ -1,15 +1,16 @@
 #pragma once
 /// \file Planar 2-node corotational Euler-Bernoulli element: large rotations, small strains.
 ///
-/// The chord of current length l and direction alpha carries a frame; in it the element bends as a shallow Hermite beam:
+/// The chord of current length l and direction alpha carries a frame; in it the element bends as a shallow Hermite
+/// beam:
 ///     u = (l^2 - l0^2)/(l + l0),   t_i = theta_i + beta0 - alpha  (wrapped to +-pi)
 ///     eps = u/l0 + (2 t_1^2 - t_1 t_2 + 2 t_2^2)/30,     chi(xi) = [(6 xi - 4) t_1 + (6 xi - 2) t_2]/l0
-/// eps is the mean over the element of u' + v'^2/2: one value for both Gauss points, so the membrane cannot lock, and the
-/// tension's geometric stiffness acts inside the element, not only along the chord.            [C1991, BP2002]
-/// A rigid motion gives no strain, to rounding, whatever the angle.
+/// eps is the mean over the element of u' + v'^2/2: one value for both Gauss points, so the membrane cannot lock, and
+/// the tension's geometric stiffness acts inside the element, not only along the chord.            [C1991, BP2002] A
+/// rigid motion gives no strain, to rounding, whatever the angle.
 ///
-/// Nodal unknowns: displacements x, y [m] from the reference position and the rotation theta [rad]. Rotations count turns;
-/// an element may bend by less than half a turn between its nodes.
+/// Nodal unknowns: displacements x, y [m] from the reference position and the rotation theta [rad]. Rotations count
+/// turns; an element may bend by less than half a turn between its nodes.
 
 #include <Eigen/Dense>
 #include <array>
@@ -33,11 +34,11 @@ struct PlanarElement {
 
 /// What an element does in a given position.
 struct PlanarKinematics {
-  double eps = 0;                               ///< [-] axial strain
-  std::array<double, gauss_points> chi{};       ///< [1/m] curvature at the Gauss points
-  double chord = 1;                             ///< [m] current length of the chord
-  Eigen::Vector2d direction = {1, 0};           ///< of the chord
-  std::array<double, 2> rotation{};             ///< [rad] nodal rotations in the chord's frame
+  double eps = 0;                          ///< [-] axial strain
+  std::array<double, gauss_points> chi{};  ///< [1/m] curvature at the Gauss points
+  double chord = 1;                        ///< [m] current length of the chord
+  Eigen::Vector2d direction = {1, 0};      ///< of the chord
+  std::array<double, 2> rotation{};        ///< [rad] nodal rotations in the chord's frame
 };
 
 PlanarKinematics kinematics(const PlanarElement& element, const PlanarVector& q);

@@ -27,9 +27,9 @@ std::shared_ptr<const section::Law> build_law(const Scene& scene);
 /// A planar span and what was decided on the way.
 struct BuiltSpan {
   model::Model model;
-  double tension = 0;        ///< [N] of the straight span
-  double length = 0;         ///< [m]
-  double end_size = 0;       ///< [m] wanted size of the elements at graded ends; 0: uniform
+  double tension = 0;                ///< [N] of the straight span
+  double length = 0;                 ///< [m]
+  double end_size = 0;               ///< [m] wanted size of the elements at graded ends; 0: uniform
   std::vector<std::size_t> load_of;  ///< for each entry of model.loads, the [[load]] it came from
 };
 

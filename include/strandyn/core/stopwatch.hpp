@@ -9,8 +9,8 @@ namespace strandyn {
 
 enum class Part : std::size_t { section, element, inertia, factorization, solve, commit, observers };
 inline constexpr std::size_t part_count = 7;
-inline constexpr std::array<const char*, part_count> part_names = {"section", "element",    "inertia", "factorization",
-                                                                   "solve",   "commit", "observers"};
+inline constexpr std::array<const char*, part_count> part_names = {"section", "element", "inertia",  "factorization",
+                                                                   "solve",   "commit",  "observers"};
 
 /// Seconds per part of a step. One per run, owned by the System.
 class Stopwatch {

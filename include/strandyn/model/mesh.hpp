@@ -7,17 +7,18 @@
 namespace strandyn::model {
 
 struct MeshOptions {
-  double length = 0;               ///< [m]
-  std::size_t elements = 0;        ///< >= 1
-  double end_size = 0;             ///< [m] wanted size of the element at a graded end; 0: uniform
-  bool grade_left = false;         ///< is the left end graded
+  double length = 0;         ///< [m]
+  std::size_t elements = 0;  ///< >= 1
+  double end_size = 0;       ///< [m] wanted size of the element at a graded end; 0: uniform
+  bool grade_left = false;   ///< is the left end graded
   bool grade_right = false;
-  double growth = 0.25;            ///< [-] how fast the size grows with the distance from a graded end
-  std::vector<double> stations;    ///< [m] places that must be nodes, such as load points
+  double growth = 0.25;          ///< [-] how fast the size grows with the distance from a graded end
+  std::vector<double> stations;  ///< [m] places that must be nodes, such as load points
 };
 
 /// Positions [m] of `elements` + 1 nodes from 0 to length. Sizes follow min(end_size + growth * distance, middle), with
-/// `middle` such that the number of elements comes out; where there are too few elements for that, all sizes grow alike.
+/// `middle` such that the number of elements comes out; where there are too few elements for that, all sizes grow
+/// alike.
 std::vector<double> span_mesh(const MeshOptions& options);
 
 /// Number of elements for which the largest is `middle` [m] long.

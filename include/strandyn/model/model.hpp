@@ -1,5 +1,6 @@
 #pragma once
-/// \file What a scene is: a chain of nodes and elements, its supports, masses, loads and section law. Constant in a run.
+/// \file What a scene is: a chain of nodes and elements, its supports, masses, loads and section law. Constant in a
+/// run.
 
 #include <Eigen/Dense>
 #include <array>
@@ -51,7 +52,8 @@ struct Model {
 /// "node 41 rotation": how messages name an unknown.
 std::string unknown_name(std::size_t index);
 
-/// A straight chain along x whose ends are `length` apart, every element stretched by `strain` from its unstressed length.
+/// A straight chain along x whose ends are `length` apart, every element stretched by `strain` from its unstressed
+/// length.
 struct StraightSpan {
   std::vector<double> positions;  ///< [m] of the nodes, from 0
   double strain = 0;              ///< [-] so that the tension is EA strain

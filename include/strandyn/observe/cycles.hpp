@@ -15,7 +15,7 @@ struct Cycle {
   double antinode_amplitude = 0;  ///< [m] half of peak to peak at the largest antinode away from the ends
   double external_work = 0;
   double kinetic = 0;
-  double elastic = 0;             ///< above that of the initial state
+  double elastic = 0;  ///< above that of the initial state
   double friction = 0;
   double viscous = 0;
   double numerical = 0;
@@ -25,9 +25,9 @@ struct Cycle {
 };
 
 struct CycleOptions {
-  double period = 0;          ///< [s]
-  double loop_length = 0;     ///< [m] half a wave: antinodes closer than this to a support do not count
-  std::size_t kept = 20;      ///< last cycles over which profiles are averaged
+  double period = 0;       ///< [s]
+  double loop_length = 0;  ///< [m] half a wave: antinodes closer than this to a support do not count
+  std::size_t kept = 20;   ///< last cycles over which profiles are averaged
 };
 
 /// Along the span, one entry per section point, mean of the last cycles.
@@ -68,7 +68,7 @@ class CycleObserver final : public solver::Observer {
 
   CycleOptions options_;
   Ledger ledger_;
-  Account before_;      // at the previous step
+  Account before_;  // at the previous step
   Account cycle_start_;
   double time_before_ = 0;
   std::vector<Cycle> cycles_;

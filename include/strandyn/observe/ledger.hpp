@@ -7,8 +7,8 @@
 ///     viscous        = sum h (v_n . c v_n + v_n+1 . c v_n+1)/2
 ///     numerical      = external - change of (kinetic + elastic) - friction - viscous
 ///     internal work  = sum (f_int,n + f_int,n+1)/2 . (u_n+1 - u_n)          second road to elastic + friction
-/// The ledger closes by definition; E_quad is contained in the numerical part, with a minus. The internal work shares no
-/// code with stored and dissipated energies: internal - (change of elastic + friction - E_quad) is the error of the
+/// The ledger closes by definition; E_quad is contained in the numerical part, with a minus. The internal work shares
+/// no code with stored and dissipated energies: internal - (change of elastic + friction - E_quad) is the error of the
 /// trapezoidal rule over the curved motion of the chain, and falls with the square of the step.
 
 #include "strandyn/solver/step_record.hpp"
@@ -18,8 +18,8 @@ namespace strandyn::observe {
 /// Cumulative terms since the start. [J]
 struct Account {
   double external_work = 0;
-  double kinetic = 0;          ///< of the state
-  double elastic = 0;          ///< of the state, above that of the initial state
+  double kinetic = 0;  ///< of the state
+  double elastic = 0;  ///< of the state, above that of the initial state
   double friction = 0;
   double viscous = 0;
   double quadrature_error = 0;

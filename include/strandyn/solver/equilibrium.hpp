@@ -8,9 +8,9 @@
 namespace strandyn::solver {
 
 struct EquilibriumOptions {
-  int steps = 1;                    ///< equal load steps
-  int max_iterations = 30;          ///< per load step
-  double tolerance = 1e-10;         ///< residual relative to the largest force at work
+  int steps = 1;                      ///< equal load steps
+  int max_iterations = 30;            ///< per load step
+  double tolerance = 1e-10;           ///< residual relative to the largest force at work
   double smallest_step = 1.0 / 1024;  ///< of a load step, before it gives up
 };
 
@@ -18,7 +18,7 @@ struct EquilibriumOptions {
 struct EquilibriumStep {
   double load_factor = 0;
   int iterations = 0;
-  double residual = 0;  ///< [N] largest
+  double residual = 0;                ///< [N] largest
   std::size_t sections_slipping = 0;  ///< section points in which friction was dissipated in this step
   system::Vector u;                   ///< [m], [rad]
 };

@@ -25,10 +25,10 @@ struct NamedTable {
 
 struct CaseResult {
   ExitCode exit_code = ExitCode::done;
-  nlohmann::ordered_json summary;                ///< the contract's summary.json
+  nlohmann::ordered_json summary;  ///< the contract's summary.json
   std::vector<NamedTable> tables;
-  std::vector<casefile::Verdict> verdicts;       ///< of [accept]
-  std::string message;                           ///< why exit_code is not `done`; empty otherwise
+  std::vector<casefile::Verdict> verdicts;  ///< of [accept]
+  std::string message;                      ///< why exit_code is not `done`; empty otherwise
 };
 
 /// Runs the analysis. Throws InputError for what the scene asks and this version cannot do, and ComputationError where

@@ -3,7 +3,8 @@
 ///
 ///     M(u) v' + g(u, v) + f_int(u; history) + c v = f_ext(t)
 /// with u the displacements and rotations of all nodes, supports included: a held unknown keeps its place in the
-/// vectors, its equation reads u = 0. Unknowns without mass (rotations, unless they carry rotary inertia) are algebraic.
+/// vectors, its equation reads u = 0. Unknowns without mass (rotations, unless they carry rotary inertia) are
+/// algebraic.
 ///
 /// Everything but `begin` and `commit` is const in the committed history: the integrator may evaluate states that it
 /// throws away. `commit` re-evaluates the section law at the state it is given and is the only writer of history.

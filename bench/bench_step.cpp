@@ -1,0 +1,143 @@
+// What a section point, an element and each part of a step cost, in nanoseconds and in shares of one run.
+// Single times depend on the machine and its load; compare the rows of one output with each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "strandyn/casefile/build.hpp"
+#include "strandyn/casefile/read.hpp"
+#include "strandyn/observe/cycles.hpp"
+#include "strandyn/section/return_map.hpp"
+#include "strandyn/solver/equilibrium.hpp"
+#include "strandyn/solver/ida.hpp"
+#include "strandyn/solver/modes.hpp"
+
+using namespace strandyn;
+using section::Component;
+using section::Dimension;
+
+namespace {
+
+/// [s] of one call, the shortest mean of several rounds.
+double seconds_per_call(const std::function<void()>& call) {
+  constexpr int rounds = 7;
+  constexpr int calls = 200;
+  double best = 1e9;
+  for (int round = 0; round < rounds; ++round) {
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < calls; ++i) call();
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    best = std::min(best, time.count() / calls);
+  }
+  return best;
+}
+
+casefile::Scene scene_with(const std::vector<std::string>& overrides) {
+  return casefile::read_scene(STRANDYN_SOURCE_DIR "/cases/curlew_lab_span.toml", overrides);
+}
+
+/// A batch in which every point slips, or none does, at every call.
+struct Batch {
+  static constexpr std::size_t points = 160;
+  section::Field strains{Dimension::planar, points};
+  section::Field stresses{Dimension::planar, points};
+  section::TangentField tangents{Dimension::planar, points};
+  section::StepEnergy energy{points};
+  section::History history;
+};
+
+void print_law(const std::string& name, const std::string& law, int section_points, double curvature) {
+  const casefile::Scene scene =
+      scene_with({fmt::format("section.law={}", law), fmt::format("section.points={}", section_points)});
+  const auto made = casefile::build_law(scene);
+  Batch b;
+  const double strain = *casefile::span_tension(scene) / casefile::section_numbers(scene).EA;
+  std::fill_n(b.strains[Component::axial].begin(), Batch::points, strain);
+  b.history = made->start(b.strains);
+  std::fill_n(b.strains[Component::bending2].begin(), Batch::points, curvature);
+  const double per_point = 1e9 / Batch::points;
+  const double plain = seconds_per_call([&] { made->respond(b.history, b.strains, b.stresses, nullptr); });
+  const double tangent = seconds_per_call([&] { made->respond(b.history, b.strains, b.stresses, &b.tangents); });
+  double sign = 1;
+  const double commit = seconds_per_call([&] {
+    // To and fro, so that each commit slips anew where the curvature is large.
+    sign = -sign;
+    std::fill_n(b.strains[Component::bending2].begin(), Batch::points, sign * curvature);
+    made->commit(b.history, b.strains, b.energy);
+  });
+  fmt::print("{:34} {:10.2f} {:14.2f} {:10.2f}\n", name, plain * per_point, tangent * per_point, commit * per_point);
+}
+
+void print_laws() {
+  fmt::print("Section point, Curlew at 15 % RTS, batches of {}: nanoseconds per point\n", Batch::points);
+  fmt::print("{:34} {:>10} {:>14} {:>10}\n", "law", "response", "with tangent", "commit");
+  print_law("stick", "stick", 36, 0.02);
+  print_law("return-map, 36 points, no slip", "return-map", 36, 1e-6);
+  for (int points : {20, 36, 72}) {
+    print_law(fmt::format("return-map, {} points, slipping", points), "return-map", points, 0.05);
+  }
+  print_law("masing, slipping", "masing", 36, 0.05);
+}
+
+void print_elements() {
+  fmt::print("\nElement, stick law (section included): nanoseconds per element\n");
+  const casefile::Scene scene = scene_with({"section.law=stick"});
+  const casefile::BuiltSpan built = casefile::build_span(scene);
+  system::System system(built.model);
+  system::Vector u = system::Vector::Zero(static_cast<Eigen::Index>(system.unknowns()));
+  system.begin(u);
+  system::Vector f(u.size());
+  system::Matrix K(built.model.nodes.size());
+  const double per_element = 1e9 / static_cast<double>(built.model.elements.size());
+  fmt::print("residual {:.1f}, with tangent {:.1f}\n",
+             per_element * seconds_per_call([&] { system.internal_force(u.data(), f.data()); }),
+             per_element * seconds_per_call([&] { system.internal_force(u.data(), f.data(), K); }));
+}
+
+void print_shares(const std::string& law) {
+  constexpr int cycles = 60;
+  const casefile::Scene scene = scene_with({"section.law=" + law, "load[0].amplitude_N=150"});
+  casefile::BuiltSpan built = casefile::build_span(scene);
+  system::System system(built.model);
+  system::Vector u = system::Vector::Zero(static_cast<Eigen::Index>(system.unknowns()));
+  system.begin(u);
+  const double frequency = solver::transverse_modes(system, u, 12).back().frequency;
+  casefile::set_load_frequency(built, 0, frequency);
+  observe::CycleObserver observer({.period = 1 / frequency, .loop_length = built.length / 12});
+  solver::Observer* const observers[] = {&observer};
+  system.stopwatch().enabled = true;
+  const auto start = std::chrono::steady_clock::now();
+  const solver::IdaSummary run =
+      solver::integrate_ida(system, {.u = u, .v = system::Vector::Zero(u.size())},
+                            {.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}}, observers);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  const double steps = static_cast<double>(run.steps);
+  fmt::print(
+      "\nRun of {} cycles, {}: {:.1f} us a step; a step has {:.2f} residuals, {:.2f} tangents, {:.2f} corrections\n",
+      cycles, law, 1e6 * wall.count() / steps, static_cast<double>(system.residual_evaluations()) / steps,
+      static_cast<double>(system.jacobian_evaluations()) / steps, static_cast<double>(run.newton_iterations) / steps);
+  double rest = wall.count();
+  for (std::size_t part = 0; part < part_count; ++part) {
+    const double seconds = system.stopwatch().seconds[part];
+    fmt::print("  {:14} {:5.1f} %\n", part_names[part], 100 * seconds / wall.count());
+    // The observers evaluate forces themselves: their time contains some of the parts above.
+    if (Part{part} != Part::observers) rest -= seconds;
+  }
+  fmt::print("  {:14} {:5.1f} % (SUNDIALS' vectors, the residual's own, and what the observers do beside forces)\n",
+             "rest", 100 * rest / wall.count());
+}
+
+}  // namespace
+
+int main() {
+  const section::VectorTarget target = section::vector_target();
+  fmt::print("vector instructions: {} ({} doubles)\n\n", target.name, target.lanes);
+  print_laws();
+  print_elements();
+  print_shares("stick");
+  print_shares("return-map");
+}

@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# Every ending has its exit code and says what to change.
+. "$(dirname "$0")/support.sh"
+lab=cases/curlew_lab_span.toml
+sed '/^\[accept\]/,$d' $lab > "$scratch/short.toml"
+short=("$program" run "$scratch/short.toml" --set analysis.cycles=3 --quiet)
+
+expect_code 0 "a short run" "${short[@]}" --out "$scratch/ok"
+[ -s "$scratch/ok/summary.json" ] && [ -s "$scratch/ok/cycles.csv" ] || fail "results are missing"
+
+expect_code 2 "no verb" "$program"
+expect_code 2 "an unknown option" "$program" run $lab --no-such-option
+expect_code 2 "an override of an unknown key" "$program" run $lab --set span.lenght_m=3
+expect_said "span.length_m"
+expect_code 2 "an override out of bounds" "$program" check $lab --set span.length_m=-3
+expect_said "--set span.length_m=-3"
+expect_code 2 "what this version cannot do" "$program" describe $lab --set span.dimension=spatial
+expect_said "span.dimension"
+
+expect_code 4 "a missing case" "$program" run "$scratch/none.toml"
+expect_said "none.toml"
+touch "$scratch/file"
+expect_code 4 "a results folder that cannot be made" "${short[@]}" --out "$scratch/file/below"
+expect_said "$scratch/file"
+expect_code 4 "a report of nothing" "$program" report "$scratch/nothing"
+
+expect_code 3 "a bound that breaks" "${short[@]}" --out "$scratch/bound" --set integrator.steps_per_cycle=40 \
+  --set analysis.cycles=30 --set integrator.max_numerical_share=1e-4
+expect_said "steps_per_cycle ="
+grep -q '"status": "failed"' "$scratch/bound/summary.json" || fail "the broken bound is not in summary.json"
+
+cat "$scratch/short.toml" - > "$scratch/strict.toml" <<'EOF'
+[accept]
+"steady.antinode_amplitude_m" = { above = 1.0, reason = "cannot hold" }
+EOF
+expect_code 3 "an acceptance that fails" "$program" run "$scratch/strict.toml" --set analysis.cycles=3 --out "$scratch/strict"
+expect_said "FAILED"
+finish

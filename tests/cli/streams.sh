@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Results go to standard output, words for people to standard error; every verb answers.
+. "$(dirname "$0")/support.sh"
+sed '/^\[accept\]/,$d' cases/curlew_lab_span.toml > "$scratch/case.toml"
+"$program" run "$scratch/case.toml" --set analysis.cycles=3 --json --out "$scratch/a" > "$scratch/json" 2> "$scratch/words" < /dev/null
+cmp -s "$scratch/json" "$scratch/a/summary.json" || fail "--json prints something else than summary.json"
+grep -q "cycle" "$scratch/words" || fail "no table of energy per cycle on standard error"
+"$program" run "$scratch/case.toml" --set analysis.cycles=3 --quiet --out "$scratch/b" > "$scratch/out" 2> "$scratch/words" < /dev/null
+[ ! -s "$scratch/out" ] && [ ! -s "$scratch/words" ] || fail "--quiet is not quiet"
+cmp -s "$scratch/a/cycles.csv" "$scratch/b/cycles.csv" || fail "the same case gives other bytes"
+
+expect_code 0 "check" "$program" check "$scratch/case.toml"
+expect_code 0 "describe" "$program" describe "$scratch/case.toml"
+expect_said '"tension_N": 24420.0'
+expect_code 0 "conductors" "$program" conductors
+expect_said "drake"
+expect_code 0 "one conductor" "$program" conductors curlew
+expect_said "[[layer]]"
+expect_code 2 "an unknown conductor" "$program" conductors curlow
+expect_said "curlew"
+expect_code 0 "schema" "$program" schema
+expect_said "steps_per_cycle"
+expect_code 0 "report" "$program" report "$scratch/a"
+[ -s "$scratch/a/report.html" ] || fail "no page"
+finish
