@@ -53,7 +53,7 @@ struct Batch {
 void print_law(const std::string& name, const std::string& law, int section_points, double curvature) {
   const casefile::Scene scene =
       scene_with({fmt::format("section.law={}", law), fmt::format("section.points={}", section_points)});
-  const auto made = casefile::build_law(scene);
+  const auto made = casefile::build_law(scene, Dimension::planar);
   Batch b;
   const double strain = *casefile::span_tension(scene) / casefile::section_numbers(scene).EA;
   std::fill_n(b.strains[Component::axial].begin(), Batch::points, strain);

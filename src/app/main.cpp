@@ -56,6 +56,13 @@ int main(int argc, char** argv) {
                 arguments)
       ->callback([&] { verb = [&] { return app::describe(arguments.file, arguments.overrides); }; });
 
+  app::VerifyArguments verification;
+  CLI::App* verify = program.add_subcommand("verify", "run the cases that carry an [accept] table, side by side");
+  verify->add_option("NAME", verification.names, "parts of case names (default: all)");
+  verify->add_option("--cases", verification.folder, "folder of the cases (default: ./cases)");
+  verify->add_flag("--json", verification.json, "print JSON");
+  verify->callback([&] { verb = [&] { return app::verify(verification); }; });
+
   CLI::App* conductors = program.add_subcommand("conductors", "the catalogue of conductors");
   conductors->add_option("NAME", name, "one conductor, in full");
   conductors->callback([&] { verb = [&] { return app::conductors(name); }; });

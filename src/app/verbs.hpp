@@ -17,11 +17,18 @@ struct RunArguments {
   bool quiet = false;
 };
 
+struct VerifyArguments {
+  std::filesystem::path folder;    ///< of the cases; empty: ./cases, or those of the source tree
+  std::vector<std::string> names;  ///< parts of names; empty: all
+  bool json = false;
+};
+
 ExitCode run(const RunArguments& arguments);
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 ExitCode describe(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 ExitCode conductors(const std::string& name);
 ExitCode schema();
+ExitCode verify(const VerifyArguments& arguments);
 ExitCode report(const std::filesystem::path& folder);
 
 }  // namespace strandyn::app

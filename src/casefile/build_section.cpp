@@ -4,6 +4,7 @@
 #include "strandyn/section/masing.hpp"
 #include "strandyn/section/multilinear.hpp"
 #include "strandyn/section/return_map.hpp"
+#include "strandyn/section/spatial_return_map.hpp"
 
 namespace strandyn::casefile {
 namespace {
@@ -40,13 +41,15 @@ SectionNumbers section_numbers(const Scene& scene) {
   return n;
 }
 
-std::shared_ptr<const section::Law> build_law(const Scene& scene) {
-  using section::Dimension;
+std::shared_ptr<const section::Law> build_law(const Scene& scene, section::Dimension dimension,
+                                              const conductor::Strand* strand) {
   const SectionNumbers n = section_numbers(scene);
+  const bool planar = dimension == section::Dimension::planar;
   const auto linear = [&](const char* name, double EI) {
     return std::make_shared<section::LinearLaw>(
-        name, Dimension::planar, section::LinearStiffness{.EA = n.EA, .GJ = n.GJ, .C_AT = n.C_AT, .EI = EI});
+        name, dimension, section::LinearStiffness{.EA = n.EA, .GJ = n.GJ, .C_AT = n.C_AT, .EI = EI});
   };
+  if (!strand && scene.conductor) strand = &scene.conductor->strand;
   switch (scene.section.law) {
     case Law::stick:
       return linear("stick", n.EI_max);
@@ -55,11 +58,22 @@ std::shared_ptr<const section::Law> build_law(const Scene& scene) {
     case Law::elastic:
       return linear("elastic", n.EI_max);
     case Law::multilinear:
-      return std::make_shared<section::MultilinearLaw>(multilinear_section(scene.section), Dimension::planar);
+      return std::make_shared<section::MultilinearLaw>(multilinear_section(scene.section), dimension);
     case Law::masing:
-      return std::make_shared<section::MasingLaw>(scene.conductor->strand);
+      if (planar) return std::make_shared<section::MasingLaw>(*strand);
+      refuse(scene.source, "section.law", "\"masing\" bends in one plane only",
+             "use return-map for twist or for bending about two axes");
     case Law::return_map:
-      return std::make_shared<section::PlanarReturnMap>(scene.conductor->strand, scene.section.points);
+      if (planar && !scene.section.axial_resultants) {
+        return std::make_shared<section::PlanarReturnMap>(*strand, scene.section.points);
+      }
+      if (planar) {
+        refuse(scene.source, "section.axial_resultants", "a planar run leaves the bending part of N out",
+               "use it in a section analysis");
+      }
+      return std::make_shared<section::SpatialReturnMap>(
+          *strand, section::SpatialReturnMapOptions{.points = scene.section.points,
+                                                    .axial_resultants = scene.section.axial_resultants});
     case Law::compliant:
       break;
   }

@@ -171,7 +171,7 @@ BuiltSpan build_span(const Scene& scene) {
   const std::vector<double> positions = mesh(scene, numbers, built);
   model::lay_out(built.model, {.positions = positions, .strain = strain});
   built.model.supports = {support(0, scene.span->left), support(positions.size() - 1, scene.span->right)};
-  built.model.law = build_law(scene);
+  built.model.law = build_law(scene, section::Dimension::planar);
   built.model.inertia.mass = *mass_per_length(scene);
   built.model.inertia.rotary = rotary_inertia(scene, numbers, built.model.inertia.mass);
   const bool lumped = scene.span->mass == MassMatrix::lumped;

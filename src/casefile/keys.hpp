@@ -84,6 +84,10 @@ template <class V>
 void keys(V& v, Section& s) {
   v.choice("law", s.law, {.help = "the law of the section"});
   v.number("points", s.points, {.help = "the number of points per turn of the lay", .at_least = 4, .multiple_of = 4});
+  v.when("law", s.law, {Law::return_map}, [&] {
+    v.flag("axial_resultants", s.axial_resultants,
+           {.help = "whether the bending forces of the wires count in N and M1, the unsymmetric tangent (33)"});
+  });
   v.when("law", s.law, {Law::elastic, Law::multilinear}, [&] {
     v.number("EA_N", s.EA, {.help = "the axial stiffness", .unit = units::N, .above = 0, .required = true});
     v.number("EI_N_m2", s.EI,
@@ -226,12 +230,25 @@ void keys(V& v, SectionAnalysis& a) {
   v.numbers("tension_kN", a.tensions, {.help = "the tension, or a list of them", .unit = units::kN, .at_least = 0});
   v.numbers("tension_rts", a.tensions_rts,
             {.help = "the tension as a part of the rated strength, or a list of them", .at_least = 0, .at_most = 1});
-  v.one_of({"curvature_amplitudes_per_m", "path"}, {.required = true});
+  v.one_of({"curvature_amplitudes_per_m", "curvature_over_chi_0", "path"}, {.required = true});
   v.numbers("curvature_amplitudes_per_m", a.curvature_amplitudes,
             {.help = "the amplitudes of symmetric cycles of curvature", .unit = units::per_m, .above = 0});
+  v.numbers("curvature_over_chi_0", a.relative_amplitudes,
+            {.help = "the same as multiples of the yield curvature chi_0 of each tension and friction", .above = 0});
+  v.numbers("frictions", a.frictions,
+            {.help = "friction coefficients of all contacts, each with loops of its own (else the conductor's)",
+             .at_least = 0});
+  v.flag("compare_residual_forces", a.compare_residual_forces,
+         {.help = "whether to run the same without residual forces beside it"});
+  v.numbers("wires_at_per_m", a.wires_at,
+            {.help = "curvatures of monotonic bending at which the forces of the wires are listed",
+             .unit = units::per_m,
+             .at_least = 0});
   v.number("steps_per_cycle", a.steps_per_cycle, {.help = "the number of steps per cycle", .at_least = 8});
   v.choice("twist", a.twist, {.help = "whether the section may twist"});
-  v.text("path", a.path, {.help = "the name of a csv file with columns of strain, torsion and curvatures"});
+  v.text("path", a.path,
+         {.help = "the name of a csv file, beside the case, with any of the columns axial_strain or tension_N, "
+                  "torsion_per_m, curvature_2_per_m, curvature_3_per_m"});
 }
 
 template <class V>

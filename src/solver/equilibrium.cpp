@@ -30,8 +30,25 @@ Residual residual_of(const System& system, const Vector& load, const Vector& int
       r.largest = std::abs(value);
       r.worst = i;
     }
+    if (std::isnan(value)) break;  // nothing that follows is worse
   }
   return r;
+}
+
+/// Is a correction of u too small to say anything? Without tension, what rounding leaves of the large axial stiffness
+/// may exceed any fraction of the forces at work.
+bool is_rounding(const System& system, const Vector& correction, const Vector& u) {
+  double reach = 0;  // [m]
+  for (const beam::PlanarElement& element : system.model().elements) reach = std::max(reach, element.length);
+  constexpr double relative = 1e-11;
+  for (Eigen::Index node = 0; node < u.size(); node += static_cast<Eigen::Index>(model::unknowns_per_node)) {
+    reach = std::max(reach, u.segment<2>(node).lpNorm<Eigen::Infinity>());
+  }
+  for (Eigen::Index node = 0; node < u.size(); node += static_cast<Eigen::Index>(model::unknowns_per_node)) {
+    if (!(correction.segment<2>(node).lpNorm<Eigen::Infinity>() <= relative * reach)) return false;
+    if (!(std::abs(correction(node + 2)) <= relative)) return false;
+  }
+  return true;
 }
 
 struct Attempt {
@@ -45,13 +62,14 @@ Attempt iterate(const System& system, Vector& u, const Vector& load, const Equil
   Vector internal(u.size());
   Matrix K(system.model().nodes.size());
   math::BlockTridiagonalLU<static_cast<int>(model::unknowns_per_node)> factors;
+  bool settled = false;
   for (attempt.iterations = 0; attempt.iterations <= options.max_iterations; ++attempt.iterations) {
     system.internal_force(u.data(), internal.data(), K);
     attempt.residual = residual_of(system, load, internal);
     if (!std::isfinite(attempt.residual.largest)) return attempt;
     // Forces that are held in equilibrium, the tension first of all, set the scale of what rounding leaves over.
     const double scale = internal.lpNorm<Eigen::Infinity>() + load.lpNorm<Eigen::Infinity>();
-    if (attempt.residual.largest <= options.tolerance * scale) {
+    if (settled || attempt.residual.largest <= options.tolerance * scale) {
       attempt.converged = true;
       return attempt;
     }
@@ -59,6 +77,7 @@ Attempt iterate(const System& system, Vector& u, const Vector& load, const Equil
     if (!factors.factorize(K)) return attempt;
     factors.solve(attempt.residual.force.data());
     u += attempt.residual.force;
+    settled = is_rounding(system, attempt.residual.force, u);
   }
   return attempt;
 }

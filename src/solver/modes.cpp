@@ -125,7 +125,8 @@ std::vector<Mode> lowest_modes(const System& system, const Vector& u, std::size_
 
   std::size_t with_mass = 0;
   for (std::size_t i = 0; i < system.unknowns(); ++i) with_mass += system.has_mass(i);
-  if (count > with_mass || with_mass < 2) {
+  // The solver finds all modes but the highest.
+  if (count >= with_mass || with_mass < 2) {
     throw ComputationError(
         fmt::format("{} modes were asked for, but the mesh has only {} unknowns with mass; "
                     "give more [span] elements",
@@ -133,7 +134,7 @@ std::vector<Mode> lowest_modes(const System& system, const Vector& u, std::size_
   }
   ShiftedInverse inverse(K, M, size);
   MassProduct mass(M, size);
-  const auto wanted = static_cast<Eigen::Index>(std::min(count, with_mass - 1));
+  const auto wanted = static_cast<Eigen::Index>(count);
   const auto basis = std::min<Eigen::Index>(static_cast<Eigen::Index>(with_mass), 2 * wanted + 20);
   Spectra::SymGEigsShiftSolver<ShiftedInverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(inverse, mass,
                                                                                                     wanted, basis, 0.0);

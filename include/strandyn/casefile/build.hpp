@@ -22,7 +22,9 @@ struct SectionNumbers {
 };
 SectionNumbers section_numbers(const Scene& scene);
 
-std::shared_ptr<const section::Law> build_law(const Scene& scene);
+/// The law of the scene; `strand`, where given, stands for the scene's own (a variant of it).
+std::shared_ptr<const section::Law> build_law(const Scene& scene, section::Dimension dimension,
+                                              const conductor::Strand* strand = nullptr);
 
 /// A planar span and what was decided on the way.
 struct BuiltSpan {

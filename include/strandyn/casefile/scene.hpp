@@ -58,6 +58,7 @@ struct Spring {
 struct Section {
   Law law = Law::return_map;
   int points = 36;                        ///< per turn of the lay
+  bool axial_resultants = false;          ///< `return-map`: bending forces of the wires count in N and M1
   std::optional<double> EA;               ///< [N] this and the next three: laws `elastic` and `multilinear`
   std::optional<double> EI;               ///< [N m^2] with springs: what remains when all have yielded
   std::optional<double> GJ;               ///< [N m^2]
@@ -140,7 +141,11 @@ struct Integrator {
 struct SectionAnalysis {
   std::vector<double> tensions;              ///< [N]
   std::vector<double> tensions_rts;          ///< [-]; see `section_tensions`
-  std::vector<double> curvature_amplitudes;  ///< [1/m] or path
+  std::vector<double> curvature_amplitudes;  ///< [1/m] this, or
+  std::vector<double> relative_amplitudes;   ///< [-] of chi_0, or path
+  std::vector<double> frictions;             ///< [-] of all contacts; empty: the conductor's own
+  bool compare_residual_forces = false;      ///< each loop once more without residual forces
+  std::vector<double> wires_at;              ///< [1/m] where wire forces are listed
   int steps_per_cycle = 400;
   Twist twist = Twist::held;
   std::optional<std::string> path;  ///< csv file of strain, torsion, curvatures, as written in the case

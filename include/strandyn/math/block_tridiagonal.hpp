@@ -17,8 +17,9 @@ class BlockTridiagonal {
   using Block = Eigen::Matrix<double, B, B>;
   using Vector = Eigen::Matrix<double, B, 1>;
 
+  /// All zero.
   explicit BlockTridiagonal(std::size_t nodes = 0)
-      : diagonal_(nodes), upper_(nodes ? nodes - 1 : 0), lower_(nodes ? nodes - 1 : 0) {}
+      : diagonal_(nodes, Block::Zero()), upper_(nodes ? nodes - 1 : 0, Block::Zero()), lower_(upper_) {}
 
   std::size_t nodes() const { return diagonal_.size(); }
   Block& diagonal(std::size_t i) { return diagonal_[i]; }

@@ -11,13 +11,13 @@
 namespace strandyn::report {
 
 struct ProgressOptions {
-  std::ostream* out = nullptr;      ///< where to write; nothing is written without it
-  bool terminal = false;            ///< rewrite in place; see `stderr_is_terminal`
-  bool quiet = false;               ///< write nothing at all
-  int columns = 80;                 ///< of the terminal; a longer line is cut
-  double redraw_s = 0.1;            ///< [s] wall time between two states of the bar, at least
-  double line_s = 3;                ///< [s] between two plain lines, at least; a line comes with every further tenth
-  double silence_s = 60;            ///< [s] without a line, at most, as long as there are updates
+  std::ostream* out = nullptr;  ///< where to write; nothing is written without it
+  bool terminal = false;        ///< rewrite in place; see `stderr_is_terminal`
+  bool quiet = false;           ///< write nothing at all
+  int columns = 80;             ///< of the terminal; a longer line is cut
+  double redraw_s = 0.1;        ///< [s] wall time between two states of the bar, at least
+  double line_s = 3;            ///< [s] between two plain lines, at least; a line comes with every further tenth
+  double silence_s = 60;        ///< [s] without a line, at most, as long as there are updates
   std::function<double()> clock_s = {};  ///< [s] wall time; the steady clock where empty
 };
 

@@ -1,0 +1,39 @@
+#pragma once
+/// \file What the wires of a committed section do: axial force along the lay, who slips, what the contacts carry.
+///
+/// Every wire of a layer runs through all swept angles theta, so a profile over theta is the profile along any of its
+/// wires over one lay length; a layer-by-angle table of `slips` is the slip map of the section. [FM2016 Figures 6, 18]
+
+#include <vector>
+
+#include "strandyn/section/return_map.hpp"
+#include "strandyn/section/spatial_return_map.hpp"
+
+namespace strandyn::section {
+
+/// One layer of helical wires, at the midpoints `WireState::theta`.
+struct LayerState {
+  std::vector<double> force;       ///< [N] F_w of a wire: axial, torsional and bending part
+  std::vector<double> gradient;    ///< [N/m] q, the share of dF_w/dS that the history law carries
+  std::vector<double> limit;       ///< [N/m] q_lim at this force
+  std::vector<bool> slips;         ///< |q| is at its limit (to 1e-9), or the contact is open
+  std::vector<double> inner_load;  ///< [N/m of contact helix] f_int of a wire, as its own force sets it there
+  double f_int = 0;                ///< [N/m] layer average, per wire: what is handed to the next layer inward
+  double f_ext = 0;                ///< [N/m] average load from the layer outside, per wire of this layer
+  double mean_bending_force = 0;   ///< [N] mean of F_b around the turn
+};
+
+struct WireState {
+  std::vector<double> theta;       ///< [rad] swept angle from axis 2 towards axis 3
+  std::vector<LayerState> layers;  ///< `layers[j - 1]` is layer j of the strand; the core has no gradient
+  double N_bending = 0;            ///< [N] sum of n cos a mean(F_b): what (35) leaves out of N; spatial law only
+  double M1_bending = 0;           ///< [N m] sum of n R sin a mean(F_b); spatial law only
+};
+
+WireState wire_state(const SpatialReturnMap& law, const History& history, std::size_t point);
+
+/// The planar law commits no axial strain of its own: `eps` is that of the commit. The second half of the turn mirrors
+/// the first.
+WireState wire_state(const PlanarReturnMap& law, const History& history, std::size_t point, double eps);
+
+}  // namespace strandyn::section

@@ -1,0 +1,109 @@
+#include "strandyn/section/spatial_return_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "spatial_return_map_kernel.hpp"
+#include "strandyn/conductor/constants.hpp"
+#include "strandyn/conductor/contact.hpp"
+
+namespace strandyn::section {
+
+using enum Component;
+
+namespace {
+
+spatial_kernel::Strains view(const Field& strains) {
+  spatial_kernel::Strains all{.points = strains.points(), .at = {}};
+  for (std::size_t c = 0; c < component_count; ++c) all.at[c] = strains[Component{c}].data();
+  return all;
+}
+
+}  // namespace
+
+SpatialCoefficients spatial_coefficients(const conductor::Strand& strand, const SpatialReturnMapOptions& options) {
+  const conductor::SectionConstants constants = conductor::section_constants(strand);
+  const std::vector<conductor::ContactGeometry> contact = conductor::contact_geometry(strand);
+  const PlanarCoefficients planar = planar_coefficients(strand, options.points);
+
+  SpatialCoefficients c;
+  c.points = options.points;
+  c.dtheta = 2 * std::numbers::pi / options.points;
+  c.EA = constants.EA;
+  c.GJ = constants.GJ;
+  c.C_AT = constants.C_AT;
+  c.EI_min = constants.EI_min;
+  c.EI_friction = planar.EI_friction;
+  c.axial_resultants = options.axial_resultants;
+  c.cosine = planar.cosine;
+  for (int i = 0; i < options.points / 4; ++i) c.sine.push_back(std::sin((i + 0.5) * c.dtheta));
+
+  double f_int_per_twist = 0;  // the most that a unit of twist can change the load of the layer outside
+  for (std::size_t i = 0; i < planar.layers.size(); ++i) {
+    const std::size_t j = strand.layers.size() - 1 - i;
+    const conductor::Layer& wire = strand.layers[j];
+    const double sine = std::sin(wire.lay_angle);
+    SpatialCoefficients::Layer layer{planar.layers[i]};
+    layer.weight /= 2;
+    layer.force_per_twist = wire.EA_wire() * wire.helix_radius * sine * contact[j].cos_lay;
+    layer.stick_force = layer.half_step * layer.k / std::tan(c.dtheta / 2);
+    layer.axial_weight = wire.wires * contact[j].cos_lay / options.points;
+    layer.torsion_weight = wire.wires * wire.helix_radius * sine / options.points;
+
+    const double outer = layer.c_ext * layer.wires_over_next * f_int_per_twist;
+    const double inner = layer.kappa * std::abs(layer.force_per_twist) + outer;
+    if (layer.limit_per_strain > 0) {
+      c.twist_drop = std::max(c.twist_drop, (layer.mu_int * inner + layer.mu_ext * outer) / layer.limit_per_strain);
+    }
+    f_int_per_twist = inner * layer.inverse_c_int;
+    c.layers.push_back(layer);
+  }
+  return c;
+}
+
+History SpatialReturnMap::start(const Field& strains) const {
+  History history{.points = strains.points(), .data = {}};
+  const std::size_t blocks = padded(strains.points()) / block_lanes;
+  const std::size_t block_size = spatial_kernel::rows_of_block(c_) * block_lanes;
+  history.data.assign(blocks * block_size, 0.0);
+  // A virgin point has no kite: its first commit marches and finds one.
+  for (std::size_t block = 0; block < blocks; ++block) {
+    double* rows = history.data.data() + block * block_size;
+    std::fill_n(rows + spatial_kernel::stick_middle * block_lanes, block_lanes, spatial_kernel::no_kite);
+    std::fill_n(rows + spatial_kernel::inverse_length * block_lanes, block_lanes, spatial_kernel::without_bound);
+  }
+  Field straight(Dimension::spatial, strains.points());
+  straight[axial] = strains[axial];
+  straight[torsion] = strains[torsion];
+  StepEnergy ignored(strains.points());
+  commit(history, straight, ignored);
+  // A strand that is brought straight to a curvature slips on the way; that is part of getting there, not of a step.
+  commit(history, strains, ignored);
+  return history;
+}
+
+Effort SpatialReturnMap::respond(const History& history, const Field& strains, Field& stresses,
+                                 TangentField* tangents) const {
+  spatial_kernel::Response response;
+  for (std::size_t row = 0; row < component_count; ++row) {
+    response.stress[row] = stresses[Component{row}].data();
+    if (!tangents) continue;
+    for (std::size_t column = 0; column < component_count; ++column) {
+      response.stiffness[row][column] = (*tangents)(Component{row}, Component{column}).data();
+    }
+  }
+  response.tangent = tangents != nullptr;
+  return {.evaluations = strains.points(),
+          .sweeps = spatial_kernel::respond(c_, history.data.data(), view(strains), response)};
+}
+
+Effort SpatialReturnMap::commit(History& history, const Field& strains, StepEnergy& energy) const {
+  const spatial_kernel::Energies energies{.stored = energy.stored.data(),
+                                          .dissipated = energy.dissipated.data(),
+                                          .quadrature_error = energy.quadrature_error.data()};
+  return {.evaluations = strains.points(),
+          .sweeps = spatial_kernel::commit(c_, history.data.data(), view(strains), energies)};
+}
+
+}  // namespace strandyn::section

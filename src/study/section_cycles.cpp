@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "section_parts.hpp"
+#include "strandyn/exact/full_slip.hpp"
+
+namespace strandyn::study {
+
+using casefile::Scene;
+using json = nlohmann::ordered_json;
+using section::Component;
+using section::Field;
+
+namespace {
+
+/// One symmetric loop of curvature at constant tension.
+struct Loop {
+  double tension = 0;         ///< [N]
+  double amplitude = 0;       ///< [1/m]
+  double over_chi_0 = 0;      ///< [-] the same by chi_0; 0 where there is no strand
+  double chi_0 = 0;           ///< [1/m]
+  double M_0 = 0;             ///< [N m]
+  double area = 0;            ///< [J/m] of the second cycle
+  double largest_moment = 0;  ///< [N m] in it
+
+  double secant() const { return largest_moment / amplitude; }
+};
+
+/// The same strand with one friction coefficient, with or without its residual forces.
+struct Variant {
+  std::optional<double> friction;  ///< [-] of all contacts; empty: as given
+  bool residual_forces = true;
+  std::optional<conductor::Strand> strand;
+  std::vector<Loop> loops;
+};
+
+std::vector<Variant> variants_of(const Scene& scene) {
+  const casefile::SectionAnalysis& a = scene.analysis.section;
+  std::vector<std::optional<double>> frictions(a.frictions.begin(), a.frictions.end());
+  if (frictions.empty()) frictions.push_back(std::nullopt);
+  std::vector<Variant> variants;
+  for (const std::optional<double>& friction : frictions) {
+    for (bool residual_forces : {true, false}) {
+      if (!residual_forces && !a.compare_residual_forces) continue;
+      Variant v{.friction = friction, .residual_forces = residual_forces, .strand = {}, .loops = {}};
+      if (scene.conductor) {
+        v.strand = scene.conductor->strand;
+        for (conductor::Layer& layer : v.strand->layers) {
+          if (friction) layer.friction_inner = *friction;
+          if (!residual_forces) layer.residual_force = 0;
+        }
+      }
+      variants.push_back(std::move(v));
+    }
+  }
+  return variants;
+}
+
+void add_loops(const Scene& scene, Variant& variant) {
+  const casefile::SectionAnalysis& a = scene.analysis.section;
+  std::vector<double> tensions = casefile::section_tensions(scene);
+  if (tensions.empty()) tensions.push_back(0);
+  for (double tension : tensions) {
+    Loop loop{.tension = tension};
+    if (variant.strand) {
+      const exact::FullSlip slip = exact::full_slip_at_points(*variant.strand, tension, scene.section.points);
+      loop.chi_0 = slip.chi_0;
+      loop.M_0 = slip.M_0;
+    }
+    for (double amplitude : a.curvature_amplitudes) {
+      loop.amplitude = amplitude;
+      loop.over_chi_0 = loop.chi_0 > 0 ? amplitude / loop.chi_0 : 0;
+      variant.loops.push_back(loop);
+    }
+    for (double over_chi_0 : a.relative_amplitudes) {
+      loop.amplitude = over_chi_0 * loop.chi_0;
+      loop.over_chi_0 = over_chi_0;
+      if (loop.chi_0 > 0) variant.loops.push_back(loop);
+    }
+  }
+}
+
+/// chi/amplitude at a step of the path: 0, 1, -1, 1, -1, ... in straight lines, a quarter cycle to the first peak.
+double triangle(int step, int steps_per_cycle) {
+  const double phase = std::fmod(static_cast<double>(step) / steps_per_cycle, 1.0);
+  if (phase <= 0.25) return 4 * phase;
+  if (phase <= 0.75) return 2 - 4 * phase;
+  return 4 * phase - 4;
+}
+
+/// All loops of a variant side by side, one section point each. The first cycle starts virgin; the second is measured.
+class March {
+ public:
+  March(const Scene& scene, Variant& variant)
+      : loops_(variant.loops),
+        steps_per_cycle_(scene.analysis.section.steps_per_cycle),
+        law_(casefile::build_law(scene, dimension_of(scene), variant.strand ? &*variant.strand : nullptr)),
+        strains_(law_->dimension(), loops_.size()),
+        stresses_(law_->dimension(), loops_.size()),
+        energy_(loops_.size()) {
+    const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      const AxialState state = axial_state(numbers, scene.analysis.section.twist, loops_[i].tension);
+      strains_[Component::axial][i] = state.strain;
+      if (law_->dimension() == section::Dimension::spatial) strains_[Component::torsion][i] = state.twist;
+    }
+    memory_ = law_->start(strains_);
+  }
+
+  /// Measures the loops; appends every state to `history`, loops numbered from `first`.
+  section::Effort run(std::size_t first, results::Table& history) {
+    record(first, history);
+    const int start_of_second = steps_per_cycle_ + steps_per_cycle_ / 4;  // peak to peak: a closed loop
+    for (int step = 1; step <= start_of_second + steps_per_cycle_; ++step) {
+      for (std::size_t i = 0; i < loops_.size(); ++i) {
+        strains_[Component::bending2][i] = loops_[i].amplitude * triangle(step, steps_per_cycle_);
+      }
+      effort_ += law_->commit(memory_, strains_, energy_);
+      record(first, history);
+      for (std::size_t i = 0; i < loops_.size() && step >= start_of_second; ++i) {
+        loops_[i].largest_moment = std::max(loops_[i].largest_moment, stresses_[Component::bending2][i]);
+        // The trapezoidal work around a closed loop is what was dissipated less the error of the steps.
+        if (step > start_of_second) loops_[i].area += energy_.dissipated[i] - energy_.quadrature_error[i];
+      }
+    }
+    return effort_;
+  }
+
+ private:
+  void record(std::size_t first, results::Table& history) {
+    effort_ += law_->respond(memory_, strains_, stresses_, nullptr);
+    for (std::size_t i = 0; i < loops_.size(); ++i) {
+      history.append(std::array{static_cast<double>(first + i), loops_[i].tension, strains_[Component::bending2][i],
+                                stresses_[Component::bending2][i]});
+    }
+  }
+
+  std::vector<Loop>& loops_;
+  int steps_per_cycle_;
+  std::shared_ptr<const section::Law> law_;
+  Field strains_, stresses_;
+  section::StepEnergy energy_;
+  section::History memory_;
+  section::Effort effort_;
+};
+
+json loop_json(const Variant& variant, const Loop& loop) {
+  json entry = {{"tension_N", loop.tension}};
+  if (variant.friction) entry["friction"] = *variant.friction;
+  entry["residual_forces"] = variant.residual_forces;
+  entry["curvature_per_m"] = loop.amplitude;
+  entry["area_J_per_m"] = loop.area;
+  entry["secant_stiffness_N_m2"] = loop.secant();
+  if (variant.strand) {
+    entry["chi_0_per_m"] = loop.chi_0;
+    entry["M_0_N_m"] = loop.M_0;
+    entry["curvature_over_chi_0"] = loop.over_chi_0;
+  }
+  return entry;
+}
+
+/// With residual forces against without, at equal curvature over chi_0: what neglecting them does.
+json residual_comparison(const std::vector<Variant>& variants) {
+  json list = json::array();
+  for (std::size_t v = 0; v + 1 < variants.size(); v += 2) {
+    const std::size_t count = std::min(variants[v].loops.size(), variants[v + 1].loops.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      const Loop& with = variants[v].loops[i];
+      const Loop& without = variants[v + 1].loops[i];
+      if (without.tension != with.tension) continue;
+      list.push_back({{"tension_N", with.tension},
+                      {"curvature_over_chi_0", with.over_chi_0},
+                      {"area_lower", 1 - without.area / with.area},
+                      {"secant_ratio", without.secant() / with.secant()},
+                      {"chi_0_lower", 1 - without.chi_0 / with.chi_0}});
+    }
+  }
+  return list;
+}
+
+struct Samples {
+  std::vector<double> x, y;
+};
+
+/// R^2 of the least-squares line; nothing for fewer than three samples.
+std::optional<double> r_squared(const Samples& s) {
+  const double n = static_cast<double>(s.x.size());
+  if (s.x.size() < 3) return std::nullopt;
+  double mx = 0, my = 0, sxx = 0, sxy = 0, syy = 0;
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    mx += s.x[i] / n;
+    my += s.y[i] / n;
+  }
+  for (std::size_t i = 0; i < s.x.size(); ++i) {
+    sxx += (s.x[i] - mx) * (s.x[i] - mx);
+    sxy += (s.x[i] - mx) * (s.y[i] - my);
+    syy += (s.y[i] - my) * (s.y[i] - my);
+  }
+  if (sxx == 0 || syy == 0) return std::nullopt;
+  return sxy * sxy / (sxx * syy);
+}
+
+/// How straight chi_0 and M_0 run over the tension (per friction) and over the friction (per tension): the lowest R^2.
+json linearity(const Scene& scene, const std::vector<Variant>& variants) {
+  json out = json::object();
+  const auto keep_lowest = [&out](const char* over, const char* what, const Samples& samples) {
+    const auto r2 = r_squared(samples);
+    if (!r2) return;
+    json& entry = out[over][what];
+    entry = entry.is_null() ? *r2 : std::min(entry.get<double>(), *r2);
+  };
+  const std::vector<double> tensions = casefile::section_tensions(scene);
+  const auto sample = [&](const Variant& v, double tension) {
+    return exact::full_slip_at_points(*v.strand, tension, scene.section.points);
+  };
+  for (const Variant& v : variants) {
+    Samples chi_0, M_0;
+    for (double tension : tensions) {
+      const exact::FullSlip slip = sample(v, tension);
+      chi_0.x.push_back(tension);
+      chi_0.y.push_back(slip.chi_0);
+      M_0.y.push_back(slip.M_0);
+    }
+    M_0.x = chi_0.x;
+    keep_lowest("over_tension", "chi_0_r2", chi_0);
+    keep_lowest("over_tension", "M_0_r2", M_0);
+  }
+  for (double tension : tensions) {
+    for (bool residual_forces : {true, false}) {
+      Samples chi_0, M_0;
+      for (const Variant& v : variants) {
+        if (!v.friction || v.residual_forces != residual_forces) continue;
+        const exact::FullSlip slip = sample(v, tension);
+        chi_0.x.push_back(*v.friction);
+        chi_0.y.push_back(slip.chi_0);
+        M_0.y.push_back(slip.M_0);
+      }
+      M_0.x = chi_0.x;
+      keep_lowest("over_friction", "chi_0_r2", chi_0);
+      keep_lowest("over_friction", "M_0_r2", M_0);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+void run_section_cycles(const Scene& scene, CaseResult& result) {
+  if (scene.analysis.section.steps_per_cycle % 4 != 0) {
+    refuse(scene.source, "analysis.steps_per_cycle", "the peaks of the path fall between steps",
+           "give a multiple of 4");
+  }
+  std::vector<Variant> variants = variants_of(scene);
+  results::Table history({"loop", "tension_N", "curvature_per_m", "moment_N_m"});
+  json loops = json::array();
+  section::Effort effort;
+  for (Variant& variant : variants) {
+    add_loops(scene, variant);
+    if (!variant.loops.empty()) effort += March(scene, variant).run(loops.size(), history);
+    for (const Loop& loop : variant.loops) loops.push_back(loop_json(variant, loop));
+  }
+  if (variants.front().strand && !variants.front().loops.empty()) {
+    result.summary["chi_0_per_m"] = variants.front().loops.front().chi_0;
+    result.summary["M_0_N_m"] = variants.front().loops.front().M_0;
+  }
+  result.summary["loops"] = loops;
+  if (scene.analysis.section.compare_residual_forces) {
+    result.summary["without_residual_forces"] = residual_comparison(variants);
+  }
+  if (variants.front().strand) {
+    const json straight = linearity(scene, variants);
+    if (!straight.empty()) result.summary["linearity"] = straight;
+  }
+  result.summary["cost"]["section_evaluations"] = effort.evaluations;
+  result.summary["cost"]["section_sweeps"] = effort.sweeps;
+  result.tables.push_back({"loop.csv", std::move(history)});
+}
+
+}  // namespace strandyn::study

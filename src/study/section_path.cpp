@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "section_parts.hpp"
+
+namespace strandyn::study {
+
+using casefile::Scene;
+using json = nlohmann::ordered_json;
+using section::Component;
+using section::Field;
+
+namespace {
+
+constexpr std::array<const char*, 5> known_columns = {"axial_strain", "tension_N", "torsion_per_m", "curvature_2_per_m",
+                                                      "curvature_3_per_m"};
+
+results::Table read_path(const Scene& scene) {
+  const std::filesystem::path beside = std::filesystem::path(scene.source.file).parent_path();
+  results::Table path = results::read_csv(beside / *scene.analysis.section.path);
+  std::string names;
+  for (const char* name : known_columns) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
+  for (const std::string& name : path.names()) {
+    if (std::find(known_columns.begin(), known_columns.end(), name) == known_columns.end()) {
+      refuse(scene.source, "analysis.path", fmt::format("the file has an unknown column `{}`", name),
+             "use the columns " + names);
+    }
+  }
+  if (path.has("axial_strain") && path.has("tension_N")) {
+    refuse(scene.source, "analysis.path", "the file gives both axial_strain and tension_N", "keep one of the two");
+  }
+  if (path.rows() == 0) refuse(scene.source, "analysis.path", "the file has no rows", "give one row per step");
+  return path;
+}
+
+/// Strains of one row. What the file leaves out is zero; a tension is turned into strain by the linear part.
+class Rows {
+ public:
+  Rows(const Scene& scene, const results::Table& path) : scene_(scene), path_(path) {
+    const std::vector<double> tensions = casefile::section_tensions(scene);
+    if (!tensions.empty()) tension_ = tensions.front();
+  }
+
+  std::array<double, section::component_count> operator[](std::size_t row) const {
+    const double torsion = value("torsion_per_m", row, 0);
+    double strain = value("axial_strain", row, 0);
+    if (!path_.has("axial_strain")) {
+      const casefile::SectionNumbers n = casefile::section_numbers(scene_);
+      strain = (value("tension_N", row, tension_) - n.C_AT * torsion) / n.EA;
+    }
+    return {strain, torsion, value("curvature_2_per_m", row, 0), value("curvature_3_per_m", row, 0)};
+  }
+
+ private:
+  double value(const char* name, std::size_t row, double otherwise) const {
+    return path_.has(name) ? path_.column(name)[row] : otherwise;
+  }
+
+  const Scene& scene_;
+  const results::Table& path_;
+  double tension_ = 0;  // [N] of the analysis, for a file without its own
+};
+
+}  // namespace
+
+void run_section_path(const Scene& scene, CaseResult& result) {
+  const results::Table path = read_path(scene);
+  const Rows rows(scene, path);
+  const bool planar = !path.has("torsion_per_m") && !path.has("curvature_3_per_m") && !scene.section.axial_resultants;
+  const auto dimension = planar ? section::Dimension::planar : section::Dimension::spatial;
+  const auto law = casefile::build_law(scene, dimension);
+  Field strains(dimension, 1);
+  Field stresses(dimension, 1);
+  section::StepEnergy energy(1);
+  const auto move_to = [&](std::size_t row) {
+    const auto values = rows[row];
+    for (std::size_t c = 0; c < section::component_count; ++c) {
+      if (carries(dimension, Component{c})) strains[Component{c}][0] = values[c];
+    }
+  };
+
+  results::Table history({"axial_strain", "torsion_per_m", "curvature_2_per_m", "curvature_3_per_m", "N_N", "M1_N_m",
+                          "M2_N_m", "M3_N_m", "stored_J_per_m", "dissipated_J_per_m", "quadrature_error_J_per_m"});
+  move_to(0);
+  section::History memory = law->start(strains);
+  section::Effort effort;
+  double dissipated = 0;
+  double quadrature_error = 0;
+  for (std::size_t row = 0; row < path.rows(); ++row) {
+    move_to(row);
+    effort += law->commit(memory, strains, energy);
+    effort += law->respond(memory, strains, stresses, nullptr);
+    dissipated += energy.dissipated[0];
+    quadrature_error += energy.quadrature_error[0];
+    std::vector<double> line;
+    for (double value : rows[row]) line.push_back(value);
+    for (std::size_t c = 0; c < section::component_count; ++c) {
+      line.push_back(carries(dimension, Component{c}) ? stresses[Component{c}][0] : 0.0);
+    }
+    line.insert(line.end(), {energy.stored[0], dissipated, quadrature_error});
+    history.append(line);
+  }
+  result.summary["path"] = {{"steps", path.rows()},
+                            {"stored_J_per_m", energy.stored[0]},
+                            {"dissipated_J_per_m", dissipated},
+                            {"quadrature_error_J_per_m", quadrature_error}};
+  result.summary["cost"]["steps"] = path.rows();
+  result.summary["cost"]["section_evaluations"] = effort.evaluations;
+  result.summary["cost"]["section_sweeps"] = effort.sweeps;
+  result.tables.push_back({"path.csv", std::move(history)});
+}
+
+}  // namespace strandyn::study

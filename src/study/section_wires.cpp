@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "section_parts.hpp"
+#include "strandyn/exact/papailiou.hpp"
+#include "strandyn/section/wire_state.hpp"
+
+namespace strandyn::study {
+
+using casefile::Scene;
+using json = nlohmann::ordered_json;
+using section::Component;
+using section::Field;
+
+namespace {
+
+/// [N] Papailiou's limit of the bending force at a swept angle, signed: the tension side is where the sine is positive.
+double papailiou_limit(const exact::PapailiouLayer& layer, double theta) {
+  const double from_neutral_plane = std::asin(std::clamp(std::sin(theta), -1.0, 1.0));
+  return layer.limit_force(from_neutral_plane);
+}
+
+json layer_json(const section::LayerState& layer, double axial_force) {
+  const auto [low, high] = std::minmax_element(layer.force.begin(), layer.force.end());
+  const auto slipping = std::count(layer.slips.begin(), layer.slips.end(), true);
+  return {{"highest_bending_force_N", *high - axial_force},
+          {"lowest_bending_force_N", *low - axial_force},
+          {"slipping_share", static_cast<double>(slipping) / static_cast<double>(layer.slips.size())},
+          {"f_int_N_per_m", layer.f_int},
+          {"f_ext_N_per_m", layer.f_ext}};
+}
+
+}  // namespace
+
+/// Monotonic bending of a virgin section; at each asked curvature the wires of every layer along one lay.
+void list_wires(const Scene& scene, CaseResult& result) {
+  std::vector<double> curvatures = scene.analysis.section.wires_at;
+  if (curvatures.empty()) return;
+  if (scene.section.law != casefile::Law::return_map) {
+    refuse(scene.source, "analysis.wires_at_per_m", "this law knows no wires", "use law = \"return-map\"");
+  }
+  std::sort(curvatures.begin(), curvatures.end());
+  const conductor::Strand& strand = scene.conductor->strand;
+  const std::vector<double> tensions = casefile::section_tensions(scene);
+  const double tension = tensions.empty() ? 0 : tensions.front();
+  const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+  const AxialState axial = axial_state(numbers, scene.analysis.section.twist, tension);
+
+  const section::SpatialReturnMap law(strand, {.points = scene.section.points});
+  Field strains(section::Dimension::spatial, 1);
+  Field stresses(section::Dimension::spatial, 1);
+  section::StepEnergy energy(1);
+  strains[Component::axial][0] = axial.strain;
+  strains[Component::torsion][0] = axial.twist;
+  section::History memory = law.start(strains);
+
+  // Papailiou's limit is that of one layer without residual force.
+  std::optional<exact::PapailiouLayer> papailiou;
+  if (strand.layers.size() == 2 && strand.layers[1].residual_force == 0) papailiou.emplace(strand, tension);
+
+  results::Table table(
+      {"curvature_per_m", "layer", "theta_rad", "force_N", "stress_Pa", "gradient_N_per_m", "limit_N_per_m", "slips"});
+  json list = json::array();
+  for (double curvature : curvatures) {
+    // In small steps: a limit that follows the force feels the way.
+    constexpr int steps = 200;
+    const double from = strains[Component::bending2][0];
+    for (int step = 1; step <= steps; ++step) {
+      strains[Component::bending2][0] = from + (curvature - from) * step / steps;
+      law.commit(memory, strains, energy);
+    }
+    law.respond(memory, strains, stresses, nullptr);
+    const section::WireState wires = section::wire_state(law, memory, 0);
+    json entry = {{"curvature_per_m", curvature}, {"moment_N_m", stresses[Component::bending2][0]}};
+    entry["layers"] = json::array();
+    for (std::size_t j = 0; j < wires.layers.size(); ++j) {
+      const section::LayerState& layer = wires.layers[j];
+      const double c = std::cos(strand.layers[j + 1].lay_angle);
+      const double s = std::sin(strand.layers[j + 1].lay_angle);
+      const double axial_force = strand.layers[j + 1].EA_wire() *
+                                 (c * c * axial.strain + strand.layers[j + 1].helix_radius * s * c * axial.twist);
+      json in_layer = layer_json(layer, axial_force);
+      if (papailiou) {
+        in_layer["papailiou_highest_N"] = papailiou->limit_force(std::numbers::pi / 2);
+        in_layer["papailiou_lowest_N"] = papailiou->limit_force(-std::numbers::pi / 2);
+        double largest_excess = 0;
+        for (std::size_t i = 0; i < wires.theta.size(); ++i) {
+          const double limit = papailiou_limit(*papailiou, wires.theta[i]);
+          largest_excess = std::max(largest_excess, (layer.force[i] - axial_force) / limit - 1);
+        }
+        in_layer["largest_excess_over_papailiou"] = largest_excess;
+      }
+      entry["layers"].push_back(in_layer);
+      for (std::size_t i = 0; i < wires.theta.size(); ++i) {
+        table.append(std::array{curvature, static_cast<double>(j + 1), wires.theta[i], layer.force[i],
+                                layer.force[i] / strand.layers[j + 1].wire_area, layer.gradient[i], layer.limit[i],
+                                layer.slips[i] ? 1.0 : 0.0});
+      }
+    }
+    list.push_back(entry);
+  }
+  result.summary["wires"] = list;
+  result.tables.push_back({"wires.csv", std::move(table)});
+}
+
+}  // namespace strandyn::study

@@ -1,0 +1,58 @@
+#include "strandyn/study/verify.hpp"
+
+#include <algorithm>
+
+#include "strandyn/casefile/read.hpp"
+#include "strandyn/study/run_case.hpp"
+
+namespace strandyn::study {
+namespace {
+
+std::vector<std::filesystem::path> case_files(const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder)) {
+    throw FileError(folder.string() + ": there is no such folder of cases; name one with --cases");
+  }
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::filesystem::path name = entry.path().lexically_relative(folder);
+    if (entry.path().extension() == ".toml" && *name.begin() != "refused") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+bool is_asked(const std::string& name, const std::vector<std::string>& names) {
+  return names.empty() || std::any_of(names.begin(), names.end(),
+                                      [&](const std::string& part) { return name.find(part) != std::string::npos; });
+}
+
+}  // namespace
+
+bool VerifiedCase::passed() const {
+  return error.empty() &&
+         std::all_of(verdicts.begin(), verdicts.end(), [](const casefile::Verdict& v) { return v.passed; });
+}
+
+std::vector<VerifiedCase> verify_cases(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                                       const std::function<void(const std::string&)>& started) {
+  std::vector<VerifiedCase> done;
+  for (const std::filesystem::path& file : case_files(folder)) {
+    const std::string name = file.lexically_relative(folder).replace_extension().string();
+    if (!is_asked(name, names)) continue;
+    VerifiedCase verified{.name = name, .title = {}, .verdicts = {}, .error = {}};
+    try {
+      const casefile::Scene scene = casefile::read_scene(file);
+      if (scene.accept.criteria.empty()) continue;
+      if (started) started(name);
+      verified.title = scene.title;
+      verified.verdicts = run_case(scene).verdicts;
+    } catch (const std::runtime_error& error) {
+      // Input, file and computation errors alike: the other cases still run.
+      verified.error = error.what();
+    }
+    done.push_back(std::move(verified));
+  }
+  return done;
+}
+
+}  // namespace strandyn::study

@@ -1,0 +1,147 @@
+#include "strandyn/section/wire_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "conductor/strands.hpp"
+#include "section/one_spatial_point.hpp"
+#include "section/plain_spatial_return_map.hpp"
+#include "strandyn/conductor/constants.hpp"
+#include "strandyn/conductor/contact.hpp"
+#include "support/check_close.hpp"
+
+using strandyn::conductor::section_constants;
+using strandyn::section::Component;
+using strandyn::section::Dimension;
+using strandyn::section::Field;
+using strandyn::section::PlanarReturnMap;
+using strandyn::section::SpatialReturnMap;
+using strandyn::section::StepEnergy;
+using strandyn::section::wire_state;
+using strandyn::section::WireState;
+using namespace strandyn::test;
+
+namespace {
+
+constexpr double eps = 5e-4;
+
+std::size_t slipping(const WireState& state) {
+  std::size_t n = 0;
+  for (const auto& layer : state.layers) n += static_cast<std::size_t>(std::ranges::count(layer.slips, true));
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "wire state: a straight strand has equal forces around the turn, the contacts of the axial problem, no slip") {
+  const auto strand = curlew();
+  const SpatialReturnMap law(strand, {.points = 36});
+  const double chi1 = 0.01;
+  const OneSpatialPoint point(law, {.eps = eps, .chi1 = chi1});
+  const WireState state = wire_state(law, point.history(), 0);
+  const auto force = strandyn::conductor::axial_wire_forces(strand, eps, chi1);
+  const auto contact = strandyn::conductor::contact_forces(strand, force);
+  REQUIRE(state.layers.size() == 4);
+  CHECK(slipping(state) == 0);
+  for (std::size_t j = 1; j <= 4; ++j) {
+    const auto& layer = state.layers[j - 1];
+    check_close(layer.f_int, contact[j].f_int, {.relative = 1e-13});
+    check_close(layer.f_ext, contact[j].f_ext, {.relative = 1e-13});
+    for (std::size_t i = 0; i < 36; ++i) {
+      check_close(layer.force[i], force[j], {.relative = 1e-13});
+      check_close(layer.limit[i], contact[j].q_lim, {.relative = 1e-13});
+      check_close(layer.inner_load[i], contact[j].f_int, {.relative = 1e-13});
+    }
+  }
+}
+
+TEST_CASE("wire state: forces of a bent strand are those of the plain implementation, and make its moment") {
+  const auto strand = curlew();
+  const auto c = section_constants(strand);
+  for (int points : {36, 72}) {
+    const SpatialReturnMap law(strand, {.points = points});
+    OneSpatialPoint point(law, {.eps = eps});
+    PlainSpatialReturnMap plain(strand, points);
+    plain.step({.eps = eps});
+    PlainSpatialReturnMap::Step expected;
+    SpatialStrain to{.eps = eps};
+    for (int s = 1; s <= 40; ++s) {
+      to = {.eps = eps, .chi1 = 1e-4 * s, .chi2 = 0.04 * std::sin(0.1 * s), .chi3 = 0.03 * std::sin(0.07 * s)};
+      expected = plain.step({to.eps, to.chi1, to.chi2, to.chi3});
+      point.commit(to);
+    }
+    const WireState state = wire_state(law, point.history(), 0);
+    const auto axial = strandyn::conductor::axial_wire_forces(strand, to.eps, to.chi1);
+    const auto got = point.respond(to);
+    double M2 = c.EI_min * to.chi2;
+    double M3 = c.EI_min * to.chi3;
+    for (std::size_t j = 1; j <= 4; ++j) {
+      const auto& layer = state.layers[j - 1];
+      const auto& wire = strand.layers[j];
+      const double arm = wire.wires * wire.helix_radius * std::cos(wire.lay_angle) / points;
+      for (std::size_t i = 0; i < state.theta.size(); ++i) {
+        check_close(layer.force[i], axial[j] + expected.bending_force[j][i], {.relative = 1e-11});
+        M2 += arm * std::sin(state.theta[i]) * layer.force[i];  // (27), (28)
+        M3 -= arm * std::cos(state.theta[i]) * layer.force[i];
+      }
+    }
+    // Summing F_w over midpoints is a second quadrature: it differs from the sum of q by (dtheta)^2/12 of it.
+    const double dtheta = 2 * std::numbers::pi / points;
+    const double moment = std::hypot(got.M2, got.M3);
+    check_close(M2, got.M2, {.absolute = dtheta * dtheta / 6 * moment});
+    check_close(M3, got.M3, {.absolute = dtheta * dtheta / 6 * moment});
+  }
+}
+
+TEST_CASE("wire state: slip begins in the layer and at the angle of the least limit and ends everywhere") {
+  const SpatialReturnMap law(curlew(), {.points = 36});
+  OneSpatialPoint point(law, {.eps = eps});
+  std::size_t before = 0;
+  for (int s = 1; s <= 30; ++s) {
+    point.commit({.eps = eps, .chi3 = 0.002 * s});
+    const WireState state = wire_state(law, point.history(), 0);
+    const std::size_t now = slipping(state);
+    CHECK(now >= before);
+    if (before == 0 && now > 0) {
+      // Bent about axis 3, the neutral plane is at theta = 90 and 270 degrees; slip starts beside it.
+      for (const auto& layer : state.layers) {
+        for (std::size_t i = 0; i < 36; ++i) {
+          if (layer.slips[i]) CHECK(std::abs(std::sin(state.theta[i])) > 0.7);
+        }
+      }
+    }
+    before = now;
+  }
+  CHECK(before > 0);
+  point.commit({.eps = eps, .chi3 = 1000});
+  CHECK(slipping(wire_state(law, point.history(), 0)) == 4 * 36);
+}
+
+TEST_CASE("wire state: of the planar law and of the spatial law bent in the same plane are the same") {
+  const auto strand = curlew();
+  const PlanarReturnMap planar(strand, 36);
+  const SpatialReturnMap spatial(strand, {.points = 36});
+  Field straight(Dimension::planar, 3);
+  for (std::size_t i = 0; i < 3; ++i) straight[Component::axial][i] = eps;
+  auto history = planar.start(straight);
+  OneSpatialPoint point(spatial, {.eps = eps});
+  for (double chi : {0.03, 0.05, 0.04, -0.01, 0.02, 0.0201}) {
+    Field to = straight;
+    to[Component::bending2][2] = chi;
+    StepEnergy ignored(3);
+    planar.commit(history, to, ignored);
+    point.commit({.eps = eps, .chi2 = chi});
+    const WireState a = wire_state(planar, history, 2, eps);
+    const WireState b = wire_state(spatial, point.history(), 0);
+    for (std::size_t j = 0; j < 4; ++j) {
+      check_close(a.layers[j].f_int, b.layers[j].f_int, {.relative = 1e-12});
+      for (std::size_t i = 0; i < 36; ++i) {
+        check_close(a.layers[j].force[i], b.layers[j].force[i], {.relative = 1e-12});
+        check_close(a.layers[j].gradient[i], b.layers[j].gradient[i], {.absolute = 1e-11 * a.layers[j].limit[i]});
+        CHECK(a.layers[j].slips[i] == b.layers[j].slips[i]);
+      }
+    }
+  }
+}
