@@ -2,10 +2,8 @@
 // Single times depend on the machine and its load; compare the rows of one output with each other.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "strandyn/casefile/build.hpp"
@@ -15,65 +13,29 @@
 #include "strandyn/solver/equilibrium.hpp"
 #include "strandyn/solver/ida.hpp"
 #include "strandyn/solver/modes.hpp"
+#include "timing.hpp"
 
 using namespace strandyn;
-using section::Component;
+using bench::seconds_per_call;
 using section::Dimension;
 
 namespace {
-
-/// [s] of one call, the shortest mean of several rounds.
-double seconds_per_call(const std::function<void()>& call) {
-  constexpr int rounds = 7;
-  constexpr int calls = 200;
-  double best = 1e9;
-  for (int round = 0; round < rounds; ++round) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < calls; ++i) call();
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    best = std::min(best, time.count() / calls);
-  }
-  return best;
-}
 
 casefile::Scene scene_with(const std::vector<std::string>& overrides) {
   return casefile::read_scene(STRANDYN_SOURCE_DIR "/cases/curlew_lab_span.toml", overrides);
 }
 
-/// A batch in which every point slips, or none does, at every call.
-struct Batch {
-  static constexpr std::size_t points = 160;
-  section::Field strains{Dimension::planar, points};
-  section::Field stresses{Dimension::planar, points};
-  section::TangentField tangents{Dimension::planar, points};
-  section::StepEnergy energy{points};
-  section::History history;
-};
-
 void print_law(const std::string& name, const std::string& law, int section_points, double curvature) {
   const casefile::Scene scene =
       scene_with({fmt::format("section.law={}", law), fmt::format("section.points={}", section_points)});
-  const auto made = casefile::build_law(scene, Dimension::planar);
-  Batch b;
   const double strain = *casefile::span_tension(scene) / casefile::section_numbers(scene).EA;
-  std::fill_n(b.strains[Component::axial].begin(), Batch::points, strain);
-  b.history = made->start(b.strains);
-  std::fill_n(b.strains[Component::bending2].begin(), Batch::points, curvature);
-  const double per_point = 1e9 / Batch::points;
-  const double plain = seconds_per_call([&] { made->respond(b.history, b.strains, b.stresses, nullptr); });
-  const double tangent = seconds_per_call([&] { made->respond(b.history, b.strains, b.stresses, &b.tangents); });
-  double sign = 1;
-  const double commit = seconds_per_call([&] {
-    // To and fro, so that each commit slips anew where the curvature is large.
-    sign = -sign;
-    std::fill_n(b.strains[Component::bending2].begin(), Batch::points, sign * curvature);
-    made->commit(b.history, b.strains, b.energy);
-  });
-  fmt::print("{:34} {:10.2f} {:14.2f} {:10.2f}\n", name, plain * per_point, tangent * per_point, commit * per_point);
+  const bench::LawTimes t = bench::time_law(*casefile::build_law(scene, Dimension::planar),
+                                            {.eps = strain, .chi2 = curvature, .chi3 = 0});
+  fmt::print("{:34} {:10.2f} {:14.2f} {:10.2f}\n", name, 1e9 * t.response, 1e9 * t.with_tangent, 1e9 * t.commit);
 }
 
 void print_laws() {
-  fmt::print("Section point, Curlew at 15 % RTS, batches of {}: nanoseconds per point\n", Batch::points);
+  fmt::print("Section point, Curlew at 15 % RTS, batches of {}: nanoseconds per point\n", bench::law_batch);
   fmt::print("{:34} {:>10} {:>14} {:>10}\n", "law", "response", "with tangent", "commit");
   print_law("stick", "stick", 36, 0.02);
   print_law("return-map, 36 points, no slip", "return-map", 36, 1e-6);

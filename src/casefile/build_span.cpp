@@ -139,7 +139,12 @@ void add_load(BuiltSpan& built, std::size_t number, const Load& load, const Sour
     built.load_of.push_back(number);
   };
   if (load.at) {
-    add(model::nearest_node(built.model, *load.at), 1);
+    const std::size_t node = model::nearest_node(built.model, *load.at);
+    if (std::abs(built.model.nodes[node].x() - *load.at) > 1e-9 * built.length) {
+      refuse(source, fmt::format("load[{}].at_m", number), "the mesh is too coarse to have a node there",
+             "give more [span] elements, or move the load to a support or to another load");
+    }
+    add(node, 1);
     return;
   }
   const auto& nodes = built.model.nodes;

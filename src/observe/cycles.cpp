@@ -5,7 +5,6 @@
 
 namespace strandyn::observe {
 
-using model::unknowns_per_node;
 using section::Component;
 
 void CycleObserver::Range::restart(std::size_t size) {
@@ -22,28 +21,19 @@ void CycleObserver::begin(const system::System& system, const solver::StepRecord
   ledger_.begin(system, initial);
   before_ = cycle_start_ = ledger_.now();
   time_before_ = initial.time;
-  const auto& nodes = system.model().nodes;
-  const double left = nodes.front().x();
-  const double right = nodes.back().x();
-  // A span of fewer than three loops has no antinode away from its ends: then all nodes count.
-  const double margin = right - left >= 2.99 * options_.loop_length ? options_.loop_length : 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (nodes[i].x() >= left + margin && nodes[i].x() <= right - margin) inner_nodes_.push_back(i);
-  }
+  places_.emplace(system.model(), options_.loop_length);
   restart(system);
   watch(system, initial);
 }
 
 void CycleObserver::restart(const system::System& system) {
-  deflection_.restart(inner_nodes_.size());
+  deflection_.restart(places_->size());
   curvature_.restart(system.committed_strains().points());
   friction_.assign(system.committed_strains().points(), 0.0);
 }
 
 void CycleObserver::watch(const system::System& system, const solver::StepRecord& record) {
-  for (std::size_t i = 0; i < inner_nodes_.size(); ++i) {
-    deflection_.widen(i, record.u(static_cast<Eigen::Index>(inner_nodes_[i] * unknowns_per_node + 1)));
-  }
+  for (std::size_t i = 0; i < places_->size(); ++i) deflection_.widen(i, places_->at(record.u.data(), i));
   const AlignedVector& chi = system.committed_strains()[Component::bending2];
   for (std::size_t point = 0; point < friction_.size(); ++point) curvature_.widen(point, chi[point]);
 }
@@ -77,7 +67,7 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
               .numerical = at_end.numerical() - cycle_start_.numerical(),
               .quadrature_error = at_end.quadrature_error - cycle_start_.quadrature_error,
               .internal_work = at_end.internal_work - cycle_start_.internal_work};
-  for (std::size_t i = 0; i < inner_nodes_.size(); ++i) {
+  for (std::size_t i = 0; i < places_->size(); ++i) {
     cycle.antinode_amplitude = std::max(cycle.antinode_amplitude, deflection_.amplitude(i));
   }
   PointRecord points{.friction = friction_, .curvature_amplitude = {}};

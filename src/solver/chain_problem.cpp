@@ -48,8 +48,7 @@ void ChainProblem::refresh(double cj) {
 void ChainProblem::solve(const double* b, double* x) {
   const Stopwatch::Lap lap(system_.stopwatch(), Part::solve);
   const std::size_t n = unknowns();
-  // dv = cj du - b1 where there is mass, dv = b1 where v is zero by decree.
-  for (std::size_t i = 0; i < n; ++i) right_side_(static_cast<Eigen::Index>(i)) = system_.has_mass(i) ? b[i] : -b[i];
+  for (std::size_t i = 0; i < n; ++i) right_side_(static_cast<Eigen::Index>(i)) = system_.has_mass(i) ? b[i] : 0.0;
   G_.multiply(right_side_.data(), product_.data());
   for (std::size_t i = 0; i < n; ++i) {
     x[i] = b[n + i] + (system_.is_held(i) ? 0.0 : product_(static_cast<Eigen::Index>(i)));

@@ -18,7 +18,7 @@ class ChainProblem {
   void residual(double t, const double* y, const double* yp, double* f);
   /// Factors the matrix at the state of the last residual.
   void refresh(double cj);
-  /// Solves J x = b with the factors at hand.
+  /// Solves J x = b with the factors at hand. b is zero for held unknowns, as their residual is: they never move.
   void solve(const double* b, double* x);
 
   double factored_cj() const { return cj_; }

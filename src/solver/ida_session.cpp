@@ -62,6 +62,7 @@ IdaSession::IdaSession(system::System& system, const InitialMotion& initial, con
   system.accelerations(y, y + n, force.data(), yp + n);
 
   void* ida = ida_.get();
+  check(IDASetErrFile(ida, nullptr), "IDASetErrFile");  // `failure` says it better
   check(IDAInit(ida, residual, 0, y_.get(), yp_.get()), "IDAInit");
   check(IDASetUserData(ida, this), "IDASetUserData");
   check(IDASStolerances(ida, 1e-4, 1e-6), "IDASStolerances");  // unused by the tests below, but IDA wants them
@@ -69,8 +70,9 @@ IdaSession::IdaSession(system::System& system, const InitialMotion& initial, con
   check(IDASetId(ida, id_.get()), "IDASetId");
   check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");  // the error test then calls the masked norm
   check(IDASetMaxStep(ida, options.step), "IDASetMaxStep");
-  // 1 + 2 + 4 + ... + 128 = 255: after eight doublings one whole step has passed, and steps meet the cycle's ends.
-  check(IDASetInitStep(ida, options.step / 255), "IDASetInitStep");
+  // IDA doubles from its second step on: 1 + 1 + 2 + 4 + ... + 128 = 256. So nine steps make one whole step, and those
+  // that follow meet the cycle's ends.
+  check(IDASetInitStep(ida, options.step / 256), "IDASetInitStep");
   check(IDASetMaxConvFails(ida, 20), "IDASetMaxConvFails");
 
   make_linear_solver();

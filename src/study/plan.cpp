@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "parts.hpp"
+#include "strandyn/observe/deflection_points.hpp"
 
 namespace strandyn::study {
 
@@ -51,13 +52,18 @@ VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
     modes = solver::transverse_modes(span.system, span.u, static_cast<std::size_t>(count));
   }
   const auto mode = [&](int number) -> const solver::Mode& { return modes[static_cast<std::size_t>(number) - 1]; };
+  // Antinode amplitudes are those away from the ends: next to a clamp the crest of a mode is a little higher.
+  const auto unit_antinode = [&](const solver::Mode& m) -> system::Vector {
+    const double loop = casefile::loop_length(scene, span.built.tension, m.frequency);
+    return m.shape / observe::DeflectionPoints(span.built.model, loop).largest(m.shape.data());
+  };
 
   VibrationPlan plan;
   plan.velocity = system::Vector::Zero(span.u.size());
   plan.frequency = load_frequencies(scene, span, modes);
   if (scene.initial) {
     const solver::Mode& m = mode(scene.initial->velocity_mode);
-    plan.velocity = scene.initial->antinode_velocity * m.shape;
+    plan.velocity = scene.initial->antinode_velocity * unit_antinode(m);
     if (plan.frequency == 0) plan.frequency = m.frequency;
   }
   if (scene.analysis.type == AnalysisType::decay) {
@@ -67,7 +73,7 @@ VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
     plan.cycles = static_cast<std::size_t>(decay.cycles);
     // From rest in the mode's velocity: a deflected shape let go would be a shock to the sections.
     if (decay.antinode_amplitude) {
-      plan.velocity = *decay.antinode_amplitude * 2 * std::numbers::pi * m.frequency * m.shape;
+      plan.velocity = *decay.antinode_amplitude * 2 * std::numbers::pi * m.frequency * unit_antinode(m);
     }
   } else {
     const casefile::ForcedAnalysis& forced = scene.analysis.forced;

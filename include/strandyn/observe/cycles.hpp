@@ -2,9 +2,10 @@
 /// \file The ledger and the motion cycle by cycle, and where along the span the energy is lost.
 
 #include <deque>
-#include <functional>
+#include <optional>
 #include <vector>
 
+#include "strandyn/observe/deflection_points.hpp"
 #include "strandyn/observe/ledger.hpp"
 
 namespace strandyn::observe {
@@ -72,7 +73,7 @@ class CycleObserver final : public solver::Observer {
   Account cycle_start_;
   double time_before_ = 0;
   std::vector<Cycle> cycles_;
-  std::vector<std::size_t> inner_nodes_;
+  std::optional<DeflectionPoints> places_;
   Range deflection_, curvature_;
   std::vector<double> friction_;  // [J/m] of each section point in the cycle under way
   std::deque<PointRecord> kept_;

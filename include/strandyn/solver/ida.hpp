@@ -20,7 +20,7 @@
 namespace strandyn::solver {
 
 struct IdaOptions {
-  double step = 0;                 ///< [s] bound of the step; reached after eight doublings from step/255
+  double step = 0;                 ///< [s] bound of the step; reached by doubling from step/256
   double end_time = 0;             ///< [s]
   double newton_tolerance = 1e-9;  ///< Euclidean norm of a Newton correction of u [m, rad]
   int max_newton_iterations = 12;  ///< per step, before the step is cut

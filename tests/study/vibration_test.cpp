@@ -1,0 +1,128 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scenes.hpp"
+#include "strandyn/study/run_case.hpp"
+#include "support/check_close.hpp"
+
+using namespace strandyn;
+using test::check_close;
+using test::span_scene;
+
+namespace {
+
+const std::string shaker =
+    "[[load]]\ntype = \"harmonic-force\"\nat_m = 0.5\namplitude_N = 40\nfrequency = \"mode 4\"\n"
+    "[analysis]\ntype = \"forced\"\ncycles = 30\n";
+const std::string decay = "[analysis]\ntype = \"decay\"\nmode = 4\nantinode_amplitude_mm = 5\ncycles = 10\n";
+
+}  // namespace
+
+TEST_CASE("the ledger of a forced run closes cycle by cycle") {
+  const auto s = study::run_case(span_scene(shaker)).summary;
+  double kinetic = 0;
+  double elastic = 0;
+  for (const auto& c : s["cycles"]) {
+    const double change = c["kinetic_J"].get<double>() - kinetic + c["elastic_J"].get<double>() - elastic;
+    const double rest = c["external_work_J"].get<double>() - change - c["friction_dissipation_J"].get<double>() -
+                        c["viscous_dissipation_J"].get<double>() - c["numerical_dissipation_J"].get<double>();
+    // Rounding of the elastic energy of the tension, some 60 J.
+    check_close(rest, 0, {.absolute = 1e-12});
+    kinetic = c["kinetic_J"];
+    elastic = c["elastic_J"];
+  }
+  CHECK(s["cycles"].size() == 30);
+}
+
+TEST_CASE("the nodal road to elastic energy and friction agrees with the sections' own") {
+  const auto s = study::run_case(span_scene(shaker, {"analysis.cycles=60"})).summary;
+  double nodal = 0;
+  double sections = s["cycles"].back()["elastic_J"];
+  for (const auto& c : s["cycles"]) {
+    nodal += c["internal_work_J"].get<double>();
+    sections += c["friction_dissipation_J"].get<double>() - c["quadrature_error_J"].get<double>();
+  }
+  CHECK(sections > 0.1);
+  // The trapezoidal rule over a curved motion: second order in the step, 1e-5 at 200 steps per cycle (measured 1e-6).
+  check_close(nodal, sections, {.relative = 1e-5});
+}
+
+TEST_CASE("drag is booked as viscous dissipation and nothing else") {
+  const auto s =
+      study::run_case(span_scene(decay, {"section.law=stick", "damping.drag_N_s_per_m2=2"})).summary["steady"];
+  CHECK(s["friction_dissipation_J"] == 0.0);
+  // zeta = c/(2 m omega) of a uniform drag; the mean amplitude over ten decaying cycles stands for each of them.
+  const double omega = 2 * std::numbers::pi * s["frequency_Hz"].get<double>();
+  check_close(s["damping_ratio"], 2 / (2 * 1.981 * omega), {.relative = 0.03});
+}
+
+TEST_CASE("a decay starts at the amplitude that was asked for") {
+  const auto s =
+      study::run_case(span_scene(decay, {"section.law=stick", "analysis.antinode_amplitude_mm=0.5"})).summary;
+  // It is set by a velocity; the stretch of the span takes some of it, with the square of the amplitude (2.6 % at 5
+  // mm).
+  check_close(s["cycles"][0]["antinode_amplitude_m"], 5e-4, {.relative = 2e-3});
+}
+
+TEST_CASE("an interrupted run keeps its whole cycles") {
+  int calls = 0;
+  const auto result = study::run_case(span_scene(shaker), {.stop = [&] { return ++calls > 2500; }, .progress = {}});
+  CHECK(result.exit_code == ExitCode::interrupted);
+  CHECK(result.summary["status"] == "interrupted");
+  // 2500 steps of 200 per cycle, seven of them in the eight doublings of the first.
+  CHECK(result.summary["cycles"].size() == 12);
+}
+
+TEST_CASE("a bound on the numerical share that breaks says which step would hold it") {
+  const auto result =
+      study::run_case(span_scene(shaker, {"integrator.max_numerical_share=1e-6", "integrator.steps_per_cycle=50"}));
+  CHECK(result.exit_code == ExitCode::not_converged);
+  CHECK(result.message.find("steps_per_cycle = ") != std::string::npos);
+}
+
+TEST_CASE("a run until steady ends when input and loss agree") {
+  const auto result =
+      study::run_case(span_scene("[[load]]\ntype = \"harmonic-force\"\nat_m = 0.5\namplitude_N = 40\n"
+                                 "frequency = \"mode 4\"\n[analysis]\ntype = \"forced\"\nuntil = \"steady\"\n",
+                                 {"integrator.steps_per_cycle=100", "damping.drag_N_s_per_m2=3"}));
+  CHECK(result.exit_code == ExitCode::done);
+  const auto& s = result.summary["steady"];
+  const double lost = s["friction_dissipation_J"].get<double>() + s["viscous_dissipation_J"].get<double>() +
+                      s["numerical_dissipation_J"].get<double>();
+  check_close(s["external_work_J"], lost, {.relative = 0.01});
+}
+
+TEST_CASE("a static force bends the span along itself and unloads on the way it came while all sticks") {
+  const auto s = study::run_case(span_scene("[[load]]\ntype = \"static-force\"\nat_m = 5\nforce_N = -20\n"
+                                            "[analysis]\ntype = \"static\"\nsteps = 4\n"))
+                     .summary["steps"];
+  REQUIRE(s.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    check_close(s[i]["load_N"], 5.0 * static_cast<double>(i + 1), {.relative = 1e-12});
+    // A taut string deflects by F L/(4 T); its bending stiffness takes some of it away.
+    const double string = s[i]["load_N"].get<double>() * 10 / (4 * 24420);
+    CHECK(s[i]["displacement_m"].get<double>() > 0.8 * string);
+    CHECK(s[i]["displacement_m"].get<double>() < string);
+  }
+}
+
+TEST_CASE("the natural frequencies come in rising order, near those of the taut string") {
+  const auto f = study::run_case(span_scene("[analysis]\ntype = \"modes\"\ncount = 5\n")).summary["frequencies_Hz"];
+  REQUIRE(f.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const double string = static_cast<double>(i + 1) * std::sqrt(24420 / 1.981) / 20;
+    CHECK(f[i].get<double>() > string);
+    CHECK(f[i].get<double>() < 1.25 * string);
+  }
+}
+
+TEST_CASE("what this version cannot model is refused at its key") {
+  for (const char* asked : {"span.dimension=spatial", "span.gravity=true", "integrator.method=generalized-alpha",
+                            "integrator.step=auto", "span.condense_axial=true"}) {
+    CAPTURE(asked);
+    const std::string key = std::string(asked).substr(0, std::string(asked).find('='));
+    CHECK_THROWS_WITH_AS(study::run_case(span_scene(shaker, {asked})), doctest::Contains(key.c_str()), InputError);
+  }
+}
