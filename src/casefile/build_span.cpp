@@ -61,6 +61,18 @@ model::Support support(std::size_t node, Support kind) {
   return {.node = node, .fixed = {false, false, false}};
 }
 
+/// A support that moves along the span holds no tension.
+void refuse_lost_tension(const Scene& scene, double tension) {
+  if (tension == 0) return;
+  const auto check = [&](Support kind, const char* key) {
+    if (kind != Support::roller && kind != Support::free) return;
+    refuse(scene.source, key, fmt::format("it would let go of the tension of {:.4g} kN", tension / 1e3),
+           "use \"clamped\" or \"pinned\", or a tension of 0");
+  };
+  check(scene.span->left, "span.left");
+  check(scene.span->right, "span.right");
+}
+
 /// Mass moment of the section per length: that of the wires around the axis of bending, or from the stiffness where
 /// densities are not known. [kg m]
 double rotary_inertia(const Scene& scene, const SectionNumbers& numbers, double mass) {
@@ -173,6 +185,7 @@ BuiltSpan build_span(const Scene& scene) {
   BuiltSpan built;
   built.length = *scene.span->length;
   built.tension = numbers.EA * strain;
+  refuse_lost_tension(scene, built.tension);
   const std::vector<double> positions = mesh(scene, numbers, built);
   model::lay_out(built.model, {.positions = positions, .strain = strain});
   built.model.supports = {support(0, scene.span->left), support(positions.size() - 1, scene.span->right)};
@@ -184,6 +197,16 @@ BuiltSpan build_span(const Scene& scene) {
   built.model.drag = scene.damping.drag;
   for (std::size_t i = 0; i < scene.loads.size(); ++i) add_load(built, i, scene.loads[i], scene.source);
   return built;
+}
+
+void check_buildable(const Scene& scene) {
+  const bool section_only =
+      scene.analysis.type == AnalysisType::section || scene.analysis.type == AnalysisType::axial_torsion;
+  if (section_only) {
+    build_law(scene, scene.section.axial_resultants ? section::Dimension::spatial : section::Dimension::planar);
+  } else {
+    build_span(scene);
+  }
 }
 
 void set_load_frequency(BuiltSpan& span, std::size_t load, double frequency) {

@@ -101,7 +101,7 @@ json describe_case(const Scene& scene) {
       {"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
   const AnalysisType type = scene.analysis.type;
   if (type == AnalysisType::section || type == AnalysisType::axial_torsion) {
-    casefile::build_law(scene, section::Dimension::planar);  // refuses what this version cannot do
+    casefile::check_buildable(scene);
     return out;
   }
   SpanAtRest span(scene);

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "strandyn/casefile/build.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/core/error.hpp"
 #include "texts.hpp"
 
 using namespace strandyn;
-using strandyn::test::beam;
 using strandyn::test::lab_span;
 using strandyn::test::refusal;
 
@@ -44,7 +44,7 @@ TEST_CASE("every file of cases/refused is refused in the words that it asks for"
     CHECK(phrases.size() >= 2);
     std::string message = "accepted";
     try {
-      casefile::read_scene(entry.path());
+      casefile::check_buildable(casefile::read_scene(entry.path()));
     } catch (const InputError& error) {
       message = error.what();
     }
@@ -63,11 +63,12 @@ TEST_CASE("a refusal is one line: place, key, text found, what is wrong, what wo
 }
 
 TEST_CASE("the text found is quoted as written, also behind letters of several bytes") {
-  CHECK(contains(refusal("section = { law = \"élastique\", points = 36.5 }\n" + beam.substr(beam.find("[span]"))),
-                 "section.law = \"élastique\": is not a choice"));
+  CHECK(contains(
+      refusal("section = { law = \"élastique\", points = 36.5 }\n" + test::beam.substr(test::beam.find("[span]"))),
+      "section.law = \"élastique\": is not a choice"));
   CHECK(
       contains(refusal("section = { title_ = \"é\", points = 36 }\n"), "case.toml:1:13: unknown key `section.title_`"));
-  CHECK(contains(refusal("damping = { drag_N_s_per_m2 = -1_0.50, rayleigh = {} }\n" + beam),
+  CHECK(contains(refusal("damping = { drag_N_s_per_m2 = -1_0.50, rayleigh = {} }\n" + test::beam),
                  "damping.drag_N_s_per_m2 = -1_0.50: must be at least 0"));
 }
 
@@ -99,18 +100,20 @@ TEST_CASE("two overrides that exclude each other are refused") {
 }
 
 TEST_CASE("unknown keys with nothing near list the keys of the table") {
-  CHECK(contains(refusal(beam + "[static]\nsolver = 1\n"), "unknown key `static.solver`; `static` knows `control`"));
+  CHECK(contains(refusal(test::beam + "[static]\nsolver = 1\n"),
+                 "unknown key `static.solver`; `static` knows `control`"));
 }
 
 TEST_CASE("a key whose needed partner is missing is refused") {
-  const auto with = [](const std::string& lines) { return refusal(beam + lines); };
+  const auto with = [](const std::string& lines) { return refusal(test::beam + lines); };
   CHECK(contains(with("[initial]\nvelocity_mode = 3\n"), "initial.antinode_velocity_m_per_s: is missing"));
-  CHECK(contains(refusal(beam, {"analysis.type=decay", "analysis.mode=1", "analysis.cycles=5"}),
+  CHECK(contains(refusal(test::beam, {"analysis.type=decay", "analysis.mode=1", "analysis.cycles=5"}),
                  "nothing else starts the motion"));
-  CHECK(contains(refusal(beam, {"analysis.type=forced", "analysis.cycles=5"}), "has no load that sets the cycle"));
-  CHECK(contains(refusal(beam, {"section.law=multilinear"}), "section.spring: is missing"));
-  CHECK(contains(refusal(beam, {"span.dimension=spatial"}), "section.GJ_N_m2: is missing"));
-  std::string massless = beam;
+  CHECK(
+      contains(refusal(test::beam, {"analysis.type=forced", "analysis.cycles=5"}), "has no load that sets the cycle"));
+  CHECK(contains(refusal(test::beam, {"section.law=multilinear"}), "section.spring: is missing"));
+  CHECK(contains(refusal(test::beam, {"span.dimension=spatial"}), "section.GJ_N_m2: is missing"));
+  std::string massless = test::beam;
   massless.erase(massless.find("mass_kg_per_m"), std::string("mass_kg_per_m = 1.98\n").size());
   CHECK(contains(refusal(massless), "section.mass_kg_per_m: is missing, and the span needs a mass"));
   CHECK(refusal(massless, {"analysis.type=static"}) == "accepted");
@@ -125,18 +128,19 @@ TEST_CASE("a load that the plane cannot take is refused") {
 
 TEST_CASE("a history that steps back in time is refused at the row") {
   const std::string load = "[[load]]\ntype = \"table\"\nper_length = true\nhistory = [[0, 0], [1, 5], [1, 6]]\n";
-  CHECK(contains(refusal(beam + load), "case.toml:14:28: load[0].history[2] = [1, 6]: its time does not come after"));
+  CHECK(contains(refusal(test::beam + load),
+                 "case.toml:14:28: load[0].history[2] = [1, 6]: its time does not come after"));
 }
 
 TEST_CASE("a path of [accept] without quotes, or that cannot be read, is refused") {
-  CHECK(contains(refusal(beam + "[accept]\na.b = { below = 1, reason = \"r\" }\n"),
+  CHECK(contains(refusal(test::beam + "[accept]\na.b = { below = 1, reason = \"r\" }\n"),
                  "accept.a: is a path without quotes"));
-  CHECK(contains(refusal(beam + "[accept]\n\"a[first]\" = { below = 1, reason = \"r\" }\n"),
+  CHECK(contains(refusal(test::beam + "[accept]\n\"a[first]\" = { below = 1, reason = \"r\" }\n"),
                  "[first] is none of a whole number, max, min, sum"));
-  CHECK(contains(refusal(beam + "[accept]\n\"a\" = { below = 1, relative = 0.1, reason = \"r\" }\n"),
+  CHECK(contains(refusal(test::beam + "[accept]\n\"a\" = { below = 1, relative = 0.1, reason = \"r\" }\n"),
                  "has a deviation but no expected number"));
-  CHECK(contains(refusal(beam + "[accept]\n\"a\" = { below = 1, reason = \" \" }\n"), "must not be empty"));
-  CHECK(refusal(beam + "[accept]\nexit_code = { expected = 3, reason = \"r\" }\n") == "accepted");
+  CHECK(contains(refusal(test::beam + "[accept]\n\"a\" = { below = 1, reason = \" \" }\n"), "must not be empty"));
+  CHECK(refusal(test::beam + "[accept]\nexit_code = { expected = 3, reason = \"r\" }\n") == "accepted");
 }
 
 TEST_CASE("a model builder can refuse a key later in the same form") {

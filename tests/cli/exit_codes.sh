@@ -33,6 +33,9 @@ cat "$scratch/short.toml" - > "$scratch/strict.toml" <<'EOF'
 [accept]
 "steady.antinode_amplitude_m" = { above = 1.0, reason = "cannot hold" }
 EOF
-expect_code 3 "an acceptance that fails" "$program" run "$scratch/strict.toml" --set analysis.cycles=3 --out "$scratch/strict"
+sed -i 's/^cycles = .*/cycles = 3/' "$scratch/strict.toml"
+expect_code 3 "an acceptance that fails" "$program" run "$scratch/strict.toml" --out "$scratch/strict"
 expect_said "FAILED"
+expect_code 0 "an acceptance of another case" "$program" run "$scratch/strict.toml" --set analysis.cycles=4 --out "$scratch/strict"
+expect_said "do not decide"
 finish

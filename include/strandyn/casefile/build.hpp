@@ -39,6 +39,9 @@ struct BuiltSpan {
 /// the chain first.
 BuiltSpan build_span(const Scene& scene);
 
+/// Builds what the analysis needs and throws it away: an InputError for whatever this version cannot model.
+void check_buildable(const Scene& scene);
+
 /// Gives the entries of model.loads that came from [[load]] number `load` their frequency [Hz].
 void set_load_frequency(BuiltSpan& span, std::size_t load, double frequency);
 

@@ -1,0 +1,66 @@
+#pragma once
+/// \file A span that is moved by hand: observers see exactly the motion that a test prescribes.
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+
+#include "strandyn/solver/step_record.hpp"
+#include "system/spans.hpp"
+
+namespace strandyn::test {
+
+/// Deflection [m] and its rate [m/s] at a time.
+struct Swing {
+  double deflection = 0;
+  double rate = 0;
+};
+
+/// How far a place moves and turns for a swing of one metre. [-], [rad/m]
+struct ShapeAt {
+  double value = 0;
+  double slope = 0;
+};
+
+/// Sines of a given loop length. [m]
+inline auto sine_shape(double loop) {
+  return [k = std::numbers::pi / loop](double x) {
+    return ShapeAt{.value = std::sin(k * x), .slope = k * std::cos(k * x)};
+  };
+}
+
+class Driven {
+ public:
+  /// The nodes between the supports move across the span by `shape` times the swing.
+  Driven(model::Model span, std::function<ShapeAt(double)> shape, std::function<Swing(double)> swing)
+      : model(std::move(span)), system(model), shape_(zeros(model)), swing_(std::move(swing)) {
+    for (std::size_t i = 1; i + 1 < model.nodes.size(); ++i) {
+      const ShapeAt at = shape(model.nodes[i].x());
+      shape_(static_cast<Eigen::Index>(3 * i + 1)) = at.value;
+      shape_(static_cast<Eigen::Index>(3 * i + 2)) = at.slope;
+    }
+    system.begin(swing_(0).deflection * shape_);
+  }
+
+  void begin(solver::Observer& observer) { observer.begin(system, record(0)); }
+  void step_to(solver::Observer& observer, double time) { observer.step(system, record(time)); }
+
+  model::Model model;
+  system::System system;
+
+ private:
+  solver::StepRecord record(double time) {
+    const Swing swing = swing_(time);
+    u_ = swing.deflection * shape_;
+    v_ = swing.rate * shape_;
+    const double step = time - std::exchange(time_, time);
+    return {.time = time, .step = step, .order = 2, .u = u_, .v = v_, .accepted = system.commit(u_.data())};
+  }
+
+  system::Vector shape_, u_, v_;
+  std::function<Swing(double)> swing_;
+  double time_ = 0;
+};
+
+}  // namespace strandyn::test
