@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <string>
 
 #include "strandyn/casefile/build.hpp"
@@ -29,8 +28,8 @@ void print_law(const std::string& name, const std::string& law, int section_poin
   const casefile::Scene scene =
       scene_with({fmt::format("section.law={}", law), fmt::format("section.points={}", section_points)});
   const double strain = *casefile::span_tension(scene) / casefile::section_numbers(scene).EA;
-  const bench::LawTimes t = bench::time_law(*casefile::build_law(scene, Dimension::planar),
-                                            {.eps = strain, .chi2 = curvature, .chi3 = 0});
+  const bench::LawTimes t =
+      bench::time_law(*casefile::build_law(scene, Dimension::planar), {.eps = strain, .chi2 = curvature, .chi3 = 0});
   fmt::print("{:34} {:10.2f} {:14.2f} {:10.2f}\n", name, 1e9 * t.response, 1e9 * t.with_tangent, 1e9 * t.commit);
 }
 

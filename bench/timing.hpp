@@ -56,8 +56,6 @@ inline LawTimes time_law(const section::Law& law, const LawState& state) {
       std::fill_n(strains[Component::bending3].begin(), law_batch, sign * state.chi3);
     }
   };
-  // A point that rests where it started: nothing is known of a law that has not committed yet.
-  law.commit(history, strains, energy);
   bend(1);
   LawTimes times;
   times.response = seconds_per_call([&] { law.respond(history, strains, stresses, nullptr); });

@@ -1,5 +1,6 @@
 #include "strandyn/casefile/build.hpp"
 #include "strandyn/conductor/constants.hpp"
+#include "strandyn/section/compliant.hpp"
 #include "strandyn/section/linear_law.hpp"
 #include "strandyn/section/masing.hpp"
 #include "strandyn/section/multilinear.hpp"
@@ -77,8 +78,17 @@ std::shared_ptr<const section::Law> build_law(const Scene& scene, section::Dimen
     case Law::compliant:
       break;
   }
-  refuse(scene.source, "section.law", "this law is not part of this version",
-         "use stick, slip, elastic, multilinear, masing or return-map");
+  if (!planar) {
+    refuse(scene.source, "section.law", "\"compliant\" bends in one plane only",
+           "use return-map for twist or for bending about two axes");
+  }
+  const section::CompliantOptions options{.points = scene.section.points,
+                                          .springs = scene.section.contact_springs,
+                                          .compliance_scale = scene.section.compliance_scale};
+  if (const auto fault = section::find_fault(options)) {
+    refuse(scene.source, "section.law", *fault, "change contact_springs or compliance_scale");
+  }
+  return std::make_shared<section::CompliantLaw>(*strand, options);
 }
 
 }  // namespace strandyn::casefile

@@ -88,6 +88,13 @@ void keys(V& v, Section& s) {
     v.flag("axial_resultants", s.axial_resultants,
            {.help = "whether the bending forces of the wires count in N and M1, the unsymmetric tangent (33)"});
   });
+  v.when("law", s.law, {Law::compliant}, [&] {
+    v.number(
+        "contact_springs", s.contact_springs,
+        {.help = "the number of springs that stand for the slip curve of a contact", .at_least = 4, .at_most = 64});
+    v.number("compliance_scale", s.compliance_scale,
+             {.help = "the factor on the compliance of all contacts (1: Hertz; towards 0: return-map)", .above = 0});
+  });
   v.when("law", s.law, {Law::elastic, Law::multilinear}, [&] {
     v.number("EA_N", s.EA, {.help = "the axial stiffness", .unit = units::N, .above = 0, .required = true});
     v.number("EI_N_m2", s.EI,

@@ -58,6 +58,8 @@ struct Spring {
 struct Section {
   Law law = Law::return_map;
   int points = 36;                        ///< per turn of the lay
+  int contact_springs = 17;               ///< `compliant`: springs per contact
+  double compliance_scale = 1;            ///< [-] `compliant`
   bool axial_resultants = false;          ///< `return-map`: bending forces of the wires count in N and M1
   std::optional<double> EA;               ///< [N] this and the next three: laws `elastic` and `multilinear`
   std::optional<double> EI;               ///< [N m^2] with springs: what remains when all have yielded

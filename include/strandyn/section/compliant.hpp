@@ -1,0 +1,120 @@
+#pragma once
+/// \file The strand in planar bending with contacts that give: micro-slip, so that any vibration loses energy.
+///
+/// A wire that slips by u against plane sections, u ~ cos(theta) along its lay, relaxes the gradient of its force:
+///     k e = q + k_w u,     e = cos(theta) chi,  k = EA_w cos^2 a |sin a|,  k_w = EA_w (sin a/R)^2
+/// and q is the traction of its contacts, inner and outer, which share u. Each follows Cattaneo and Mindlin,
+///     Q = Q_lim [1 - (1 - u/u_star)^(3/2)]  where wires cross,   its antiplane sibling along a line (hertz.hpp)
+/// with no fitted constant: geometry, elasticity and friction give Q_lim and u_star. Small amplitudes lose
+/// (2 - nu) Q^3/(18 G a mu P) per contact and cycle.
+///
+/// A contact is a parallel chain of elastic-plastic springs [Iwan 1966]: stiffness K kappa_i, limit Q_lim phi_i,
+///     f_i = clip(f_i,n + K kappa_i (u - u_n), -Q_lim phi_i, Q_lim phi_i),   sum kappa_i = sum phi_i = 1
+/// so that moving limits, reversals, stored energy and loss need no rule book. The chain is graded: limits u_star r^-i,
+/// down to `smallest_slip`. One chain loses too much and too little in turns while the amplitude passes its springs;
+/// the angles of a layer have chains that are shifted against each other by parts of r, and together they are smooth.
+///
+/// Q_lim follows the wire force at the midpoint of the cell, F_w = F_edge +- q dS/2, as in return_map.hpp: the inner
+/// limit is linear in q = k e - k_w u, so a cell is one equation in u, piecewise linear and increasing. Newton's method
+/// ends on it after a few exact corrections. (The slope b = mu_int |sin a| dtheta/2 of the limit counts up to 0.9,
+/// which is a friction coefficient of 40 at 36 points; what lies beyond sticks anyway.)
+///
+/// K follows the axial strain: it belongs to the layer's mean force at the largest strain that the point has seen,
+/// since a spot stays as wide as it has been pressed. It grows at constant spring force, which loses energy and never
+/// gives any; were it to follow every strain, a tension that vibrates would wear out locked-in forces for no physical
+/// reason.
+///
+/// Energies per unit length, C_j = n_j R_j^2 cos a_j/|sin a_j|, C_j k_w/k = n_j/cos a_j wires per length of strand:
+///     U_f = sum_j C_j mean[q^2/(2k) + (k_w/k) sum_i f_i^2/(2 K_i)]
+///     D   = sum_j C_j mean[(k_w/k) sum_i max(f_1 du_slip, (f_0 + f_1)/2 du_slip) + f_0^2/2 (1/K_0 - 1/K_1)] >= 0
+/// with du_slip of each spring; then delta U_f + D - E_quad = (M_0 + M_1)/2 delta chi, friction part, because
+/// (q_0 + q_1)/2 delta e = delta(q^2/(2k)) + (k_w/k) sum (f_0 + f_1)/2 delta u.
+///
+/// Limits it reproduces: compliance to zero is the return map; mu = 0 gives EI_min and no loss; mu without bound is
+/// elastic, with less than EI_max by what the contacts give; EI_min and EI_max bound every tangent at constant limits.
+///
+/// Every evaluation marches: some spring always slips. The spatial law would differ in e(theta) = cos(theta) chi2 +
+/// sin(theta) chi3 and in the closure of the force around the turn; chains and the equation of a cell stay.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strandyn/conductor/hertz.hpp"
+#include "strandyn/section/law.hpp"
+#include "strandyn/section/return_map.hpp"
+
+namespace strandyn::section {
+
+struct CompliantOptions {
+  int points = 36;              ///< per turn of the lay, a multiple of 4
+  int springs = 17;             ///< of each contact, at least 4
+  double smallest_slip = 3e-5;  ///< [-] of u_star: the loss is cubic above some four times this, and dies out below
+  double compliance_scale = 1;  ///< [-] multiplies the compliance of every contact; > 0
+};
+
+/// What is wrong with the options, in words, or nothing.
+std::optional<std::string> find_fault(const CompliantOptions& options);
+
+/// The springs of one contact at one angle, from the smallest limit to the largest.
+struct SpringChain {
+  std::vector<double> stiffness;  ///< [-] kappa_i, parts of the contact's first stiffness
+  std::vector<double> limit;      ///< [-] phi_i, parts of its friction limit
+};
+
+/// Traction over its limit, and its slope, against x = u/u_star in [0, 1]: the virgin curve of a contact.
+class SlipCurve {
+ public:
+  static SlipCurve spot();                  ///< 1 - (1 - x)^(3/2)
+  static SlipCurve line(double logarithm);  ///< x = (1 - y) + y ln(y)/(2 Lambda), traction 1 - y
+  double traction(double x) const;          ///< g
+  double slope(double x) const;             ///< g'
+  double loss_moment(double x) const;       ///< g - x g': the limits of all that slips at x
+ private:
+  double logarithm_ = 0;  ///< 0: a spot
+};
+
+struct ChainPlan {
+  int springs = 17;
+  double smallest_slip = 3e-5;
+  double phase = 0;  ///< [0, 1) shift of the grading by this part of its ratio
+};
+/// r: the limits of neighbouring springs differ by this factor.
+double grading_ratio(const ChainPlan& plan);
+/// Keeps, exactly, the curve's first stiffness and limit, and on the average over phases the loss at small amplitudes.
+SpringChain spring_chain(const SlipCurve& curve, const ChainPlan& plan);
+
+struct CompliantCoefficients {
+  /// What one side of a layer's wires touches.
+  struct Contact {
+    conductor::Interface face;
+    double share = 0;                 ///< contacts per length of this wire; 0: none, no traction
+    std::vector<SpringChain> chains;  ///< one per midpoint of a quarter turn
+  };
+  struct Layer {
+    double k_w = 0;       ///< [N/m^2]
+    double feedback = 0;  ///< [-] b, at most 0.9
+    Contact inner, outer;
+    std::size_t contacts = 2;  ///< 1 for the outermost layer
+  };
+  PlanarCoefficients planar;
+  std::vector<Layer> layers;  ///< outermost first, like planar.layers
+  std::size_t springs = 0;
+  double compliance_scale = 1;
+};
+
+class CompliantLaw final : public Law {
+ public:
+  explicit CompliantLaw(const conductor::Strand& strand, const CompliantOptions& options = {});
+
+  std::string_view name() const override { return "compliant"; }
+  Dimension dimension() const override { return Dimension::planar; }
+  History start(const Field& strains) const override;
+  Effort respond(const History& history, const Field& strains, Field& stresses, TangentField* tangents) const override;
+  Effort commit(History& history, const Field& strains, StepEnergy& energy) const override;
+
+ private:
+  CompliantCoefficients c_;
+};
+
+}  // namespace strandyn::section

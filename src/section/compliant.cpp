@@ -1,0 +1,151 @@
+#include "strandyn/section/compliant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "compliant_kernel.hpp"
+#include "strandyn/conductor/contact.hpp"
+
+namespace strandyn::section {
+
+using enum Component;
+
+namespace {
+
+kernel::Strains view(const Field& strains) {
+  return {.points = strains.points(), .eps = strains[axial].data(), .chi = strains[bending2].data()};
+}
+
+/// Phases for the angles of a quarter turn. An angle sees the amplitude times its cosine and loses with the cube of it:
+/// the springs of all angles, seen from the amplitude, are spread evenly over the grading, each by its part in the
+/// loss.
+std::vector<double> phases_of(const std::vector<double>& cosine, double ratio) {
+  double total = 0;
+  for (double c : cosine) total += c * c * c;
+  std::vector<double> phases;
+  double sum = 0;
+  for (double c : cosine) {
+    const double part = c * c * c / total;
+    const double shifted = sum + part / 2 - std::log(c) / std::log(ratio);
+    phases.push_back(shifted - std::floor(shifted));
+    sum += part;
+  }
+  return phases;
+}
+
+/// The line contact's curve depends on its load by a logarithm: taken under the force of this strain, or a trace of
+/// one.
+constexpr double usual_strain = 1e-3;
+constexpr double least_load = 1e-9;  // [N/m]
+
+SlipCurve curve_of(const conductor::Interface& face, double load) {
+  return face.line ? SlipCurve::line(face.along.slip_logarithm(std::max(load, least_load))) : SlipCurve::spot();
+}
+
+}  // namespace
+
+std::optional<std::string> find_fault(const CompliantOptions& o) {
+  if (o.points < 4 || o.points % 4 != 0) return "points: a positive multiple of 4";
+  if (o.springs < 4) return "springs: at least 4";
+  if (!(o.smallest_slip >= 1e-9 && o.smallest_slip <= 0.03)) return "smallest_slip: from 1e-9 to 0.03";
+  if (!(o.compliance_scale > 0)) return "compliance_scale: above 0; a rigid contact is the law return-map";
+  return std::nullopt;
+}
+
+CompliantLaw::CompliantLaw(const conductor::Strand& strand, const CompliantOptions& options) {
+  c_.planar = planar_coefficients(strand, options.points);
+  c_.springs = static_cast<std::size_t>(options.springs);
+  c_.compliance_scale = options.compliance_scale;
+  const std::vector<conductor::Interface> faces = conductor::interfaces(strand);
+  ChainPlan plan{.springs = options.springs, .smallest_slip = options.smallest_slip};
+  const std::vector<double> phases = phases_of(c_.planar.cosine, grading_ratio(plan));
+  const std::vector<conductor::ContactForces> usual =
+      conductor::contact_forces(strand, conductor::axial_wire_forces(strand, usual_strain, 0));
+
+  const auto contact = [&](std::size_t upper_layer, double share) {
+    CompliantCoefficients::Contact side{.face = faces[upper_layer], .share = share, .chains = {}};
+    const SlipCurve curve = curve_of(side.face, usual[upper_layer].f_int);
+    for (double phase : phases) {
+      plan.phase = phase;
+      side.chains.push_back(spring_chain(curve, plan));
+    }
+    return side;
+  };
+  for (std::size_t i = 0; i < c_.planar.layers.size(); ++i) {
+    const std::size_t j = strand.layers.size() - 1 - i;
+    const PlanarCoefficients::Layer& p = c_.planar.layers[i];
+    const double turns = std::max(std::abs(std::sin(strand.layers[j].lay_angle)), 1e-9) / strand.layers[j].helix_radius;
+    CompliantCoefficients::Layer layer;
+    layer.k_w = strand.layers[j].EA_wire() * turns * turns;
+    layer.feedback = std::min(0.9, p.slope * p.half_step);
+    layer.contacts = i == 0 ? 1 : 2;
+    layer.inner = contact(j, faces[j].per_outer_wire);
+    if (i > 0) layer.outer = contact(j + 1, faces[j + 1].per_inner_wire);
+    c_.layers.push_back(std::move(layer));
+  }
+}
+
+namespace compliant_kernel {
+
+void contact_stiffness(const CompliantCoefficients& c, double strain, const StiffnessOut& out) {
+  double f_int = 0;  // of the layer outside, and its derivative
+  double f_int_slope = 0;
+  std::size_t row = 0;
+  const auto store = [&](const CompliantCoefficients::Contact& contact, double load, double load_slope) {
+    const conductor::Stiffness K = contact.face.stiffness(load, contact.share);
+    out.value[row * block_lanes] = K.value / c.compliance_scale;
+    if (out.slope) out.slope[row * block_lanes] = K.slope * load_slope / c.compliance_scale;
+    ++row;
+  };
+  for (std::size_t i = 0; i < c.layers.size(); ++i) {
+    const PlanarCoefficients::Layer& p = c.planar.layers[i];
+    const double outer = p.c_ext * p.wires_over_next * f_int;
+    const double outer_slope = p.c_ext * p.wires_over_next * f_int_slope;
+    const double inner = p.kappa * p.force_per_strain * strain + outer + p.inner_residual;
+    const bool closed = inner > 0;
+    const double inner_slope = closed ? p.kappa * p.force_per_strain + outer_slope : 0;
+    store(c.layers[i].inner, std::max(0.0, inner), inner_slope);
+    store(c.layers[i].outer, outer, outer_slope);
+    f_int = std::max(0.0, inner) * p.inverse_c_int;
+    f_int_slope = inner_slope * p.inverse_c_int;
+  }
+}
+
+}  // namespace compliant_kernel
+
+History CompliantLaw::start(const Field& strains) const {
+  History history{.points = strains.points(), .data = {}};
+  const std::size_t blocks = padded(strains.points()) / block_lanes;
+  const std::size_t block_size = compliant_kernel::rows_of_block(c_) * block_lanes;
+  history.data.assign(blocks * block_size, 0.0);
+  for (std::size_t i = 0; i < strains.points(); ++i) {
+    double* rows = history.data.data() + i / block_lanes * block_size;
+    rows[compliant_kernel::peak_strain * block_lanes + i % block_lanes] = strains[axial][i];
+  }
+  // A strand that is brought straight to a curvature slips on the way; that is part of getting there, not of a step.
+  StepEnergy ignored(strains.points());
+  commit(history, strains, ignored);
+  return history;
+}
+
+Effort CompliantLaw::respond(const History& history, const Field& strains, Field& stresses,
+                             TangentField* tangents) const {
+  kernel::Response response{.N = stresses[axial].data(), .M = stresses[bending2].data()};
+  if (tangents) {
+    response.dM_dchi = (*tangents)(bending2, bending2).data();
+    response.dM_deps = (*tangents)(bending2, axial).data();
+    std::fill((*tangents)(axial, axial).begin(), (*tangents)(axial, axial).end(), c_.planar.EA);
+  }
+  compliant_kernel::respond(c_, history.data.data(), view(strains), response);
+  return {.evaluations = strains.points(), .sweeps = strains.points()};
+}
+
+Effort CompliantLaw::commit(History& history, const Field& strains, StepEnergy& energy) const {
+  compliant_kernel::commit(c_, history.data.data(), view(strains),
+                           {.stored = energy.stored.data(),
+                            .dissipated = energy.dissipated.data(),
+                            .quadrature_error = energy.quadrature_error.data()});
+  return {.evaluations = strains.points(), .sweeps = strains.points()};
+}
+
+}  // namespace strandyn::section
