@@ -31,22 +31,29 @@ Eigen::Matrix4d hermite_table(const PlanarElement& element, const Inertia& inert
   return inertia.mass * l / 420 * m;
 }
 
-/// d(X_1..X_4)/d(unknowns), each X a vector of the plane: two rows per entry.
-Eigen::Matrix<double, 8, 6> directions(const Tangents& t) {
-  Eigen::Matrix<double, 8, 6> J = Eigen::Matrix<double, 8, 6>::Zero();
+/// Entries of a 6 x 6 matrix in which the table couples directions: translations e_x, e_y of node i and, for its
+/// rotation, `row[i]`, with the same of node j and `column[j]`.
+PlanarMatrix couple(const Eigen::Matrix4d& table, const std::array<Eigen::Vector2d, 2>& row,
+                    const std::array<Eigen::Vector2d, 2>& column) {
+  PlanarMatrix m;
   for (int i = 0; i < 2; ++i) {
-    J.block<2, 2>(4 * i, 3 * i).setIdentity();
-    J.block<2, 1>(4 * i + 2, 3 * i + 2) = t.normal[i];
+    for (int j = 0; j < 2; ++j) {
+      const auto ri = static_cast<std::size_t>(i);
+      const auto cj = static_cast<std::size_t>(j);
+      m.block<2, 2>(3 * i, 3 * j) = table(2 * i, 2 * j) * Eigen::Matrix2d::Identity();
+      m.block<2, 1>(3 * i, 3 * j + 2) = table(2 * i, 2 * j + 1) * column[cj];
+      m.block<1, 2>(3 * i + 2, 3 * j) = table(2 * i + 1, 2 * j) * row[ri].transpose();
+      m(3 * i + 2, 3 * j + 2) = table(2 * i + 1, 2 * j + 1) * row[ri].dot(column[cj]);
+    }
   }
-  return J;
+  return m;
 }
 
-/// The table acting on plane vectors.
-Eigen::Matrix<double, 8, 8> on_vectors(const Eigen::Matrix4d& table) {
-  Eigen::Matrix<double, 8, 8> m = Eigen::Matrix<double, 8, 8>::Zero();
-  for (int a = 0; a < 4; ++a) {
-    for (int b = 0; b < 4; ++b) m.block<2, 2>(2 * a, 2 * b) = table(a, b) * Eigen::Matrix2d::Identity();
-  }
+/// The same for a derivative that only the rotations take part in: columns of the rotations alone.
+PlanarMatrix couple_rotations(const Eigen::Matrix4d& table, const std::array<Eigen::Vector2d, 2>& row,
+                              const std::array<Eigen::Vector2d, 2>& column) {
+  PlanarMatrix m = couple(table, row, column);
+  for (int j : {0, 1, 3, 4}) m.col(j).setZero();
   return m;
 }
 
@@ -59,14 +66,18 @@ PlanarMatrix rotary_mass(const PlanarElement& element, const Inertia& inertia) {
   return m;
 }
 
-/// Second time derivative of (x_1, t_1, x_2, t_2).
-Eigen::Matrix<double, 8, 1> second_derivative(const Tangents& t, const PlanarMotion& m) {
-  Eigen::Matrix<double, 8, 1> X = directions(t) * m.a;
+using FourVectors = Eigen::Matrix<double, 4, 2>;  // one row for each of x_1, t_1, x_2, t_2
+
+/// The table times the second time derivative of (x_1, t_1, x_2, t_2): t'' = theta'' n - theta'^2 t.
+FourVectors momentum_rate(const Eigen::Matrix4d& table, const Tangents& t, const PlanarMotion& m) {
+  FourVectors X;
   for (int i = 0; i < 2; ++i) {
+    const auto at = static_cast<std::size_t>(i);
     const double rate = m.v(3 * i + 2);
-    X.segment<2>(4 * i + 2) -= rate * rate * t.along[i];
+    X.row(2 * i) = m.a.segment<2>(3 * i).transpose();
+    X.row(2 * i + 1) = (m.a(3 * i + 2) * t.normal[at] - rate * rate * t.along[at]).transpose();
   }
-  return X;
+  return table * X;
 }
 
 }  // namespace
@@ -80,35 +91,43 @@ PlanarVector lumped_mass(const PlanarElement& element, const Inertia& inertia) {
 }
 
 PlanarMatrix consistent_mass(const PlanarElement& element, const Inertia& inertia, const PlanarVector& q) {
-  const auto J = directions(tangents(element, q));
-  return J.transpose() * on_vectors(hermite_table(element, inertia)) * J + rotary_mass(element, inertia);
+  const Tangents t = tangents(element, q);
+  return couple(hermite_table(element, inertia), t.normal, t.normal) + rotary_mass(element, inertia);
 }
 
 PlanarVector consistent_inertia_force(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m) {
   const Tangents t = tangents(element, m.q);
-  const Eigen::Matrix<double, 8, 1> P = on_vectors(hermite_table(element, inertia)) * second_derivative(t, m);
-  return directions(t).transpose() * P + rotary_mass(element, inertia) * m.a;
+  const FourVectors P = momentum_rate(hermite_table(element, inertia), t, m);
+  PlanarVector force;
+  for (int i = 0; i < 2; ++i) {
+    force.segment<2>(3 * i) = P.row(2 * i).transpose();
+    force(3 * i + 2) = P.row(2 * i + 1).dot(t.normal[static_cast<std::size_t>(i)]);
+  }
+  if (inertia.rotary > 0) force += rotary_mass(element, inertia) * m.a;
+  return force;
 }
 
 InertiaTangent consistent_inertia_tangent(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m) {
   const Tangents t = tangents(element, m.q);
-  const auto J = directions(t);
-  const Eigen::Matrix<double, 8, 8> table = on_vectors(hermite_table(element, inertia));
-  const Eigen::Matrix<double, 8, 1> P = table * second_derivative(t, m);
+  const Eigen::Matrix4d table = hermite_table(element, inertia);
+  const FourVectors P = momentum_rate(table, t, m);
 
-  // The second derivatives of the tangents: t'' = theta'' n - theta'^2 t, dn/dtheta = -t, dt/dtheta = n.
-  Eigen::Matrix<double, 8, 6> by_velocity = Eigen::Matrix<double, 8, 6>::Zero();
-  Eigen::Matrix<double, 8, 6> by_position = Eigen::Matrix<double, 8, 6>::Zero();
-  PlanarMatrix turning = PlanarMatrix::Zero();
-  for (int i = 0; i < 2; ++i) {
-    const double rate = m.v(3 * i + 2);
-    by_velocity.block<2, 1>(4 * i + 2, 3 * i + 2) = -2 * rate * t.along[i];
-    by_position.block<2, 1>(4 * i + 2, 3 * i + 2) = -m.a(3 * i + 2) * t.along[i] - rate * rate * t.normal[i];
-    turning(3 * i + 2, 3 * i + 2) = -t.along[i].dot(P.segment<2>(4 * i + 2));
+  // Derivatives of the tangents' second derivatives: dn/dtheta = -t, dt/dtheta = n.
+  std::array<Eigen::Vector2d, 2> by_velocity, by_position;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto rotation = static_cast<Eigen::Index>(3 * i + 2);
+    const double rate = m.v(rotation);
+    by_velocity[i] = -2 * rate * t.along[i];
+    by_position[i] = -m.a(rotation) * t.along[i] - rate * rate * t.normal[i];
   }
-  return {.mass = J.transpose() * table * J + rotary_mass(element, inertia),
-          .velocity = J.transpose() * table * by_velocity,
-          .position = J.transpose() * table * by_position + turning};
+  InertiaTangent tangent{.mass = couple(table, t.normal, t.normal) + rotary_mass(element, inertia),
+                         .velocity = couple_rotations(table, t.normal, by_velocity),
+                         .position = couple_rotations(table, t.normal, by_position)};
+  // The normal that the force is taken along turns as well.
+  for (int i = 0; i < 2; ++i) {
+    tangent.position(3 * i + 2, 3 * i + 2) -= t.along[static_cast<std::size_t>(i)].dot(P.row(2 * i + 1).transpose());
+  }
+  return tangent;
 }
 
 }  // namespace strandyn::beam
