@@ -22,7 +22,7 @@ std::vector<ContactGeometry> contact_geometry(const Strand& strand) {
     g.residual = layer.residual_force;
     if (j + 1 < strand.layers.size()) {
       g.mu_ext = strand.layers[j + 1].friction_inner;
-      g.wires_over_next = static_cast<double>(strand.layers[j + 1].wires) / layer.wires;
+      g.next_layer_ratio = static_cast<double>(strand.layers[j + 1].wires) / layer.wires;
     }
     all.push_back(g);
   }
@@ -36,7 +36,7 @@ std::vector<ContactForces> contact_forces(const Strand& strand, const std::vecto
   for (std::size_t j = geometry.size(); j-- > 0;) {
     const ContactGeometry& g = geometry[j];
     ContactForces& f = all[j];
-    f.f_ext = g.wires_over_next * f_int_next;
+    f.f_ext = g.next_layer_ratio * f_int_next;
     if (j == 0) break;  // the core has nothing below it and carries no gradient
     f.f_int = std::max(0.0, (g.kappa * wire_force[j] + g.c_ext * f.f_ext) / g.c_int + g.residual);
     f.q_lim = g.mu_int * g.c_int * f.f_int + g.mu_ext * g.c_ext * f.f_ext;

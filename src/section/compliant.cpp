@@ -99,8 +99,8 @@ void contact_stiffness(const CompliantCoefficients& c, double strain, const Stif
   };
   for (std::size_t i = 0; i < c.layers.size(); ++i) {
     const PlanarCoefficients::Layer& p = c.planar.layers[i];
-    const double outer = p.c_ext * p.wires_over_next * f_int;
-    const double outer_slope = p.c_ext * p.wires_over_next * f_int_slope;
+    const double outer = p.c_ext * p.next_layer_ratio * f_int;
+    const double outer_slope = p.c_ext * p.next_layer_ratio * f_int_slope;
     const double inner = p.kappa * p.force_per_strain * strain + outer + p.inner_residual;
     const bool closed = inner > 0;
     const double inner_slope = closed ? p.kappa * p.force_per_strain + outer_slope : 0;

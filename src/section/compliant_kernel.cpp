@@ -232,7 +232,7 @@ HWY_INLINE Dual march(const CompliantCoefficients& c, const double* forces, V ep
     const Layer& layer = c.layers[i];
     const PlanarLayer& planar = c.planar.layers[i];
     const V own = set(planar.kappa * planar.force_per_strain);
-    const Dual outer_load = scaled(set(planar.c_ext * planar.wires_over_next), f_int);
+    const Dual outer_load = scaled(set(planar.c_ext * planar.next_layer_ratio), f_int);
     LayerLoad load;
     load.inner = sum({hn::MulAdd(own, eps, set(planar.inner_residual)), hn::Zero(tag), own}, outer_load);
     load.outside = scaled(set(planar.mu_ext), outer_load);

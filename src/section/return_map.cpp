@@ -46,14 +46,14 @@ PlanarCoefficients planar_coefficients(const conductor::Strand& strand, int poin
     layer.mu_int = g.mu_int;
     layer.mu_ext = g.mu_ext;
     layer.inner_residual = g.c_int * g.residual;
-    layer.wires_over_next = g.wires_over_next;
+    layer.next_layer_ratio = g.next_layer_ratio;
     layer.slope = g.mu_int * g.kappa;
     const double b = layer.slope * layer.half_step;
     layer.outward_gain = b < 1 ? 1 / (1 - b) : 0;
     layer.outward_offset = b < 1 ? 0 : beyond_reach;
     layer.inward_gain = 1 / (1 + b);
 
-    const double outer_per_strain = g.c_ext * g.wires_over_next * f_int_per_strain;
+    const double outer_per_strain = g.c_ext * g.next_layer_ratio * f_int_per_strain;
     const double inner_per_strain = g.kappa * layer.force_per_strain + outer_per_strain;
     layer.limit_per_strain = g.mu_int * inner_per_strain + g.mu_ext * outer_per_strain;
     f_int_per_strain = inner_per_strain / g.c_int;

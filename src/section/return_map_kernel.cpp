@@ -45,7 +45,7 @@ struct LayerLoad {
 template <bool kTangent>
 HWY_INLINE LayerLoad<kTangent> load_of(const Layer& layer, V eps, const Dual<kTangent>& f_int_outside) {
   LayerLoad<kTangent> load;
-  const V outer = set(layer.c_ext * layer.wires_over_next);
+  const V outer = set(layer.c_ext * layer.next_layer_ratio);
   const V own = set(layer.kappa * layer.force_per_strain);
   const V outer_load = hn::Mul(outer, f_int_outside.value);
   load.inner.value = hn::Add(hn::MulAdd(own, eps, outer_load), set(layer.inner_residual));

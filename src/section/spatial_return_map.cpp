@@ -51,7 +51,7 @@ SpatialCoefficients spatial_coefficients(const conductor::Strand& strand, const 
     layer.axial_weight = wire.wires * contact[j].cos_lay / options.points;
     layer.torsion_weight = wire.wires * wire.helix_radius * sine / options.points;
 
-    const double outer = layer.c_ext * layer.wires_over_next * f_int_per_twist;
+    const double outer = layer.c_ext * layer.next_layer_ratio * f_int_per_twist;
     const double inner = layer.kappa * std::abs(layer.force_per_twist) + outer;
     if (layer.limit_per_strain > 0) {
       c.twist_drop = std::max(c.twist_drop, (layer.mu_int * inner + layer.mu_ext * outer) / layer.limit_per_strain);

@@ -61,7 +61,7 @@ struct Load {
 HWY_INLINE Load load_of(const Layer& layer, V eps, V twist, V f_int_outside) {
   Load load;
   const V force = hn::MulAdd(set(layer.force_per_strain), eps, hn::Mul(set(layer.force_per_twist), twist));
-  const V outer = hn::Mul(set(layer.c_ext * layer.wires_over_next), f_int_outside);
+  const V outer = hn::Mul(set(layer.c_ext * layer.next_layer_ratio), f_int_outside);
   load.inner = hn::Add(hn::MulAdd(set(layer.kappa), force, outer), set(layer.inner_residual));
   load.floor = hn::Mul(set(layer.mu_ext), outer);
   load.numerator = hn::MulAdd(set(layer.mu_int), load.inner, load.floor);
@@ -145,7 +145,7 @@ struct Record {
 
 /// dq/d(line load of the layer outside) of a clipped cell.
 HWY_INLINE V by_load_of(const Layer& layer, const Cell& cell) {
-  const double outer = layer.c_ext * layer.wires_over_next;
+  const double outer = layer.c_ext * layer.next_layer_ratio;
   const double closed = (layer.mu_int + layer.mu_ext) * outer;
   const V open = set(layer.mu_ext * outer);
   const V upper = hn::IfThenElse(cell.upper_closed, set(closed * layer.outward_gain), open);

@@ -134,7 +134,7 @@ HWY_INLINE void add_tangent(const SpatialCoefficients& c, const Layer& layer, co
   const V step = set(2 * layer.half_step);
   const V neutral_turn = hn::Mul(step, hn::NegMulAdd(set(2), at.mean, turn.at_neutral));
   const Mask closed = hn::Gt(inner, zero);
-  const double outer = layer.c_ext * layer.wires_over_next;
+  const double outer = layer.c_ext * layer.next_layer_ratio;
   const Resultants axial_force{set(layer.force_per_strain), set(layer.force_per_twist), zero, zero};
   constexpr std::size_t first_bending = static_cast<std::size_t>(Component::bending2);
 

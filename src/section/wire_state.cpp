@@ -32,7 +32,7 @@ std::vector<double> bending_force(const std::vector<double>& q, double step, dou
 LayerState layer_state(const PlanarCoefficients::Layer& layer, std::vector<double> q, double axial_force,
                        double neutral, double& f_int_outside) {
   LayerState s;
-  s.f_ext = layer.wires_over_next * f_int_outside;
+  s.f_ext = layer.next_layer_ratio * f_int_outside;
   const double outer = layer.c_ext * s.f_ext;
   const std::vector<double> bending = bending_force(q, 2 * layer.half_step, neutral);
   double sum = 0;

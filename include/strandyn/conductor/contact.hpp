@@ -19,13 +19,13 @@ namespace strandyn::conductor {
 struct ContactGeometry {
   double sin_lay = 0;  ///< |sin(alpha)|, kept above 1e-9 so that a straight wire is the limit of a helical one
   double cos_lay = 1;
-  double kappa = 0;            ///< [1/m] curvature of the wire's centre line
-  double c_int = 1;            ///< [-] length of the inner contact helix over the centre line's
-  double c_ext = 1;            ///< [-] the same for the outer one
-  double mu_int = 0;           ///< [-]
-  double mu_ext = 0;           ///< [-] friction_inner of the next layer, 0 for the outermost
-  double residual = 0;         ///< [N/m] R_res
-  double wires_over_next = 0;  ///< n_{j+1}/n_j, 0 for the outermost: f_ext_j = this * f_int_{j+1}
+  double kappa = 0;             ///< [1/m] curvature of the wire's centre line
+  double c_int = 1;             ///< [-] length of the inner contact helix over the centre line's
+  double c_ext = 1;             ///< [-] the same for the outer one
+  double mu_int = 0;            ///< [-]
+  double mu_ext = 0;            ///< [-] friction_inner of the next layer, 0 for the outermost
+  double residual = 0;          ///< [N/m] R_res
+  double next_layer_ratio = 0;  ///< n_{j+1}/n_j, 0 for the outermost: f_ext_j = this * f_int_{j+1}
 };
 
 /// One entry per layer, core first (the core's own entry only closes the numbering).

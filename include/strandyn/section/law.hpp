@@ -49,7 +49,8 @@ class Law {
   virtual std::string_view name() const = 0;
   virtual Dimension dimension() const = 0;
 
-  /// The history of a virgin strand that was brought straight to `strains` without friction having acted.
+  /// The history of a virgin strand that was brought straight to the axial part of `strains`, and from there in one
+  /// step to their bending: friction acts on that step, but nobody books its loss.
   virtual History start(const Field& strains) const = 0;
 
   /// Resultants of a trial state and, where `tangents` is not null, their derivatives. Pure.

@@ -40,7 +40,7 @@ struct PlanarCoefficients {
     double mu_int = 0;            ///< [-]
     double mu_ext = 0;            ///< [-]
     double inner_residual = 0;    ///< [N/m] c_int R_res
-    double wires_over_next = 0;   ///< [-]
+    double next_layer_ratio = 0;  ///< [-]
     double slope = 0;             ///< [1/m] B = mu_int kappa
     double outward_gain = 0;      ///< 1/(1 - b) where |F_w| grows with |q|; 0 where 1 - b <= 0
     double outward_offset = 0;    ///< [N/m] 0, or beyond reach where 1 - b <= 0
