@@ -97,8 +97,7 @@ json describe_case(const Scene& scene) {
   out["section_law"] = casefile::name_of(scene.section.law);
   if (scene.conductor) out["conductor"] = conductor_json(scene);
   const casefile::SectionNumbers n = casefile::section_numbers(scene);
-  out["section"] = {
-      {"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
+  out["section"] = section_json(n);
   const AnalysisType type = scene.analysis.type;
   if (type == AnalysisType::section || type == AnalysisType::axial_torsion) {
     casefile::check_buildable(scene);

@@ -41,6 +41,9 @@ struct VibrationPlan {
 /// Finds the modes that the scene speaks of, gives the loads their frequencies, and decides the step.
 VibrationPlan plan_vibration(const casefile::Scene& scene, SpanAtRest& span);
 
+/// `section` of summary.json, also of what `describe` tells.
+nlohmann::ordered_json section_json(const casefile::SectionNumbers& numbers);
+
 /// cost.* of summary.json from a system's counters.
 void add_effort(const system::System& system, nlohmann::ordered_json& cost);
 

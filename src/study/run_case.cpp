@@ -23,11 +23,6 @@ json program() {
           {"compiler", program_compiler}, {"simd", target.name},        {"simd_doubles", target.lanes}};
 }
 
-json section_json(const casefile::SectionNumbers& n) {
-  return {
-      {"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
-}
-
 void analyse(const casefile::Scene& scene, const Hooks& hooks, CaseResult& result) {
   switch (scene.analysis.type) {
     case AnalysisType::section:
@@ -104,6 +99,11 @@ const char* status_word(ExitCode code) {
 }
 
 }  // namespace
+
+json section_json(const casefile::SectionNumbers& n) {
+  return {
+      {"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
+}
 
 void add_effort(const system::System& system, json& cost) {
   cost["residual_evaluations"] = system.residual_evaluations();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -15,8 +16,13 @@ namespace strandyn::test {
 
 /// STRANDYN_SEED from the environment, or the fixed one.
 inline std::uint64_t random_seed() {
-  const char* text = std::getenv("STRANDYN_SEED");
-  return text ? std::stoull(text) : 20160;
+  static const std::uint64_t seed = [] {
+    const char* text = std::getenv("STRANDYN_SEED");
+    const std::uint64_t value = text ? std::stoull(text) : 20160;
+    std::printf("random paths: seed %llu (STRANDYN_SEED changes it)\n", static_cast<unsigned long long>(value));
+    return value;
+  }();
+  return seed;
 }
 
 /// Uniform numbers straight from the bits: the standard's distributions may differ between libraries.
