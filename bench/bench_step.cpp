@@ -9,7 +9,7 @@
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/observe/cycles.hpp"
 #include "strandyn/section/return_map.hpp"
-#include "strandyn/solver/equilibrium.hpp"
+#include "strandyn/solver/generalized_alpha.hpp"
 #include "strandyn/solver/ida.hpp"
 #include "strandyn/solver/modes.hpp"
 #include "timing.hpp"
@@ -52,34 +52,49 @@ void print_elements() {
   system::Vector u = system::Vector::Zero(static_cast<Eigen::Index>(system.unknowns()));
   system.begin(u);
   system::Vector f(u.size());
-  system::Matrix K(built.model.nodes.size());
+  system::Matrix K = system.make_matrix();
   const double per_element = 1e9 / static_cast<double>(built.model.elements.size());
   fmt::print("residual {:.1f}, with tangent {:.1f}\n",
              per_element * seconds_per_call([&] { system.internal_force(u.data(), f.data()); }),
              per_element * seconds_per_call([&] { system.internal_force(u.data(), f.data(), K); }));
 }
 
-void print_shares(const std::string& law) {
-  constexpr int cycles = 60;
-  const casefile::Scene scene = scene_with({"section.law=" + law, "load[0].amplitude_N=150"});
+/// [Hz] of the mode at which the span is shaken; the same in space.
+double planar_frequency() {
+  const casefile::BuiltSpan built = casefile::build_span(scene_with({}));
+  system::System system(built.model);
+  const system::Vector u = system.make_vector();
+  system.begin(u);
+  return solver::transverse_modes(system, u, 12).back().frequency;
+}
+
+void print_shares(const std::string& law, const std::string& dimension, const std::string& method, double frequency) {
+  constexpr int cycles = 20;
+  const casefile::Scene scene = scene_with(
+      {"section.law=" + law, "span.dimension=" + dimension, "integrator.method=" + method, "load[0].amplitude_N=150"});
   casefile::BuiltSpan built = casefile::build_span(scene);
   system::System system(built.model);
-  system::Vector u = system::Vector::Zero(static_cast<Eigen::Index>(system.unknowns()));
+  const system::Vector u = system.make_vector();
   system.begin(u);
-  const double frequency = solver::transverse_modes(system, u, 12).back().frequency;
   casefile::set_load_frequency(built, 0, frequency);
   observe::CycleObserver observer({.period = 1 / frequency, .loop_length = built.length / 12});
   solver::Observer* const observers[] = {&observer};
+  const solver::InitialMotion initial{.u = u, .v = system.make_vector()};
+  const solver::IntegratorOptions options{.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}};
   system.stopwatch().enabled = true;
   const auto start = std::chrono::steady_clock::now();
-  const solver::IdaSummary run =
-      solver::integrate_ida(system, {.u = u, .v = system::Vector::Zero(u.size())},
-                            {.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}}, observers);
+  const solver::IntegratorSummary run =
+      scene.integrator.method == casefile::Method::ida
+          ? solver::integrate_ida(system, initial, options, observers)
+          : solver::integrate_generalized_alpha(system, initial, options, {.rho_inf = scene.integrator.rho_inf},
+                                                observers);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const double steps = static_cast<double>(run.steps);
   fmt::print(
-      "\nRun of {} cycles, {}: {:.1f} us a step; a step has {:.2f} residuals, {:.2f} tangents, {:.2f} corrections\n",
-      cycles, law, 1e6 * wall.count() / steps, static_cast<double>(system.residual_evaluations()) / steps,
+      "\nRun of {} cycles, {} {}, {}: {:.1f} us a step; a step has {:.2f} residuals, {:.2f} tangents, {:.2f} "
+      "corrections\n",
+      cycles, dimension, law, method, 1e6 * wall.count() / steps,
+      static_cast<double>(system.residual_evaluations()) / steps,
       static_cast<double>(system.jacobian_evaluations()) / steps, static_cast<double>(run.newton_iterations) / steps);
   double rest = wall.count();
   for (std::size_t part = 0; part < part_count; ++part) {
@@ -88,8 +103,7 @@ void print_shares(const std::string& law) {
     // The observers evaluate forces themselves: their time contains some of the parts above.
     if (Part{part} != Part::observers) rest -= seconds;
   }
-  fmt::print("  {:14} {:5.1f} % (SUNDIALS' vectors, the residual's own, and what the observers do beside forces)\n",
-             "rest", 100 * rest / wall.count());
+  fmt::print("  {:14} {:5.1f} % (the integrator's own work on vectors)\n", "rest", 100 * rest / wall.count());
 }
 
 }  // namespace
@@ -99,6 +113,10 @@ int main() {
   fmt::print("vector instructions: {} ({} doubles)\n\n", target.name, target.lanes);
   print_laws();
   print_elements();
-  print_shares("stick");
-  print_shares("return-map");
+  const double frequency = planar_frequency();
+  for (const char* dimension : {"planar", "spatial"}) {
+    for (const char* method : {"ida", "generalized-alpha"}) {
+      for (const char* law : {"stick", "return-map"}) print_shares(law, dimension, method, frequency);
+    }
+  }
 }

@@ -47,6 +47,8 @@ int main(int argc, char** argv) {
   run->add_option("--out", arguments.out, "results folder (default: results/<case name>)");
   run->add_flag("--json", arguments.json, "print summary.json to standard output");
   run->add_flag("--quiet", arguments.quiet, "no progress and no tables");
+  run->add_flag("--resume", arguments.resume,
+                "go on from the checkpoint that [integrator] checkpoint_every_s has left in the results folder");
   run->callback([&] { verb = [&] { return app::run(arguments); }; });
 
   add_case_verb(program, "check", "read and validate a case, run nothing", arguments)->callback([&] {

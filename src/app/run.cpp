@@ -68,10 +68,20 @@ ExitCode run(const RunArguments& arguments) {
 
   report::Progress progress({.out = &std::cerr, .terminal = report::stderr_is_terminal(), .quiet = arguments.quiet});
   const study::Hooks hooks{.stop = interrupted,
-                           .progress = [&](double part, std::string_view what) { progress.update(part, what); }};
+                           .progress = [&](double part, std::string_view what) { progress.update(part, what); },
+                           .folder = folder,
+                           .resume = arguments.resume};
+  const std::filesystem::path checkpoint = folder / study::checkpoint_name;
+  if (arguments.resume && !arguments.quiet) {
+    const bool there = std::filesystem::exists(checkpoint);
+    fmt::print(stderr, "{} {}\n", there ? "resuming from" : "starting from the beginning: there is no",
+               checkpoint.string());
+  }
   const study::CaseResult result = study::run_case(scene, hooks);
   progress.finish();
   write_results(folder, result);
+  std::error_code ignored;  // a checkpoint that stays does no harm
+  if (!result.ended_early) std::filesystem::remove(checkpoint, ignored);
 
   if (!arguments.quiet) {
     if (result.summary.contains("cycles")) fmt::print(stderr, "\n{}\n", report::cycle_table(result.summary["cycles"]));

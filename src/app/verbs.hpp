@@ -15,6 +15,7 @@ struct RunArguments {
   std::vector<std::string> overrides;
   bool json = false;
   bool quiet = false;
+  bool resume = false;  ///< from the checkpoint in the results folder
 };
 
 struct VerifyArguments {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "hermite_table.hpp"
+
 namespace strandyn::beam {
 namespace {
 
@@ -21,14 +23,8 @@ Tangents tangents(const PlanarElement& element, const PlanarVector& q) {
 }
 
 /// [kg] Hermite mass table of X = (x_1, t_1, x_2, t_2), [kg m] and [kg m^2] where a tangent takes part.
-Eigen::Matrix4d hermite_table(const PlanarElement& element, const Inertia& inertia) {
-  const double l = element.length;
-  Eigen::Matrix4d m;
-  m << 156, 22 * l, 54, -13 * l,              //
-      22 * l, 4 * l * l, 13 * l, -3 * l * l,  //
-      54, 13 * l, 156, -22 * l,               //
-      -13 * l, -3 * l * l, -22 * l, 4 * l * l;
-  return inertia.mass * l / 420 * m;
+Eigen::Matrix4d mass_table(const PlanarElement& element, const Inertia& inertia) {
+  return inertia.mass * hermite_table(element.length);
 }
 
 /// Entries of a 6 x 6 matrix in which the table couples directions: translations e_x, e_y of node i and, for its
@@ -92,12 +88,12 @@ PlanarVector lumped_mass(const PlanarElement& element, const Inertia& inertia) {
 
 PlanarMatrix consistent_mass(const PlanarElement& element, const Inertia& inertia, const PlanarVector& q) {
   const Tangents t = tangents(element, q);
-  return couple(hermite_table(element, inertia), t.normal, t.normal) + rotary_mass(element, inertia);
+  return couple(mass_table(element, inertia), t.normal, t.normal) + rotary_mass(element, inertia);
 }
 
 PlanarVector consistent_inertia_force(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m) {
   const Tangents t = tangents(element, m.q);
-  const FourVectors P = momentum_rate(hermite_table(element, inertia), t, m);
+  const FourVectors P = momentum_rate(mass_table(element, inertia), t, m);
   PlanarVector force;
   for (int i = 0; i < 2; ++i) {
     force.segment<2>(3 * i) = P.row(2 * i).transpose();
@@ -109,7 +105,7 @@ PlanarVector consistent_inertia_force(const PlanarElement& element, const Inerti
 
 InertiaTangent consistent_inertia_tangent(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m) {
   const Tangents t = tangents(element, m.q);
-  const Eigen::Matrix4d table = hermite_table(element, inertia);
+  const Eigen::Matrix4d table = mass_table(element, inertia);
   const FourVectors P = momentum_rate(table, t, m);
 
   // Derivatives of the tangents' second derivatives: dn/dtheta = -t, dt/dtheta = n.

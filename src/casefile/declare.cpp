@@ -17,6 +17,7 @@ std::optional<std::string> find_fault(const Number& number, double x) {
   if (number.at_least && !(x >= *number.at_least)) return fmt::format("must be at least {}", *number.at_least);
   if (number.below && !(x < *number.below)) return fmt::format("must be below {}", *number.below);
   if (number.at_most && !(x <= *number.at_most)) return fmt::format("must be at most {}", *number.at_most);
+  if (number.not_zero && x == 0) return "must not be 0";
   if (number.multiple_of > 0 && std::fmod(x, number.multiple_of) != 0) {
     return fmt::format("must be a multiple of {}", number.multiple_of);
   }

@@ -35,8 +35,13 @@ inline constexpr Unit kN{"kN", "kilonewtons", 1e3};
 inline constexpr Unit N_m{"N_m", "newton metres", 1};
 inline constexpr Unit N_m2{"N_m2", "N m^2", 1};
 inline constexpr Unit N_per_mm{"N_per_mm", "newtons per millimetre of wire", 1e3};
+inline constexpr Unit N_per_m{"N_per_m", "N/m", 1};
+inline constexpr Unit N_s_per_m{"N_s_per_m", "N s/m", 1};
 inline constexpr Unit N_s_per_m2{"N_s_per_m2", "N s/m^2", 1};
 inline constexpr Unit GPa{"GPa", "gigapascals", 1e9};
+inline constexpr Unit kg{"kg", "kilograms", 1};
+inline constexpr Unit kg_m{"kg_m", "kg m", 1};
+inline constexpr Unit kg_m2{"kg_m2", "kg m^2", 1};
 inline constexpr Unit kg_per_m{"kg_per_m", "kilograms per metre", 1};
 inline constexpr Unit kg_per_m3{"kg_per_m3", "kilograms per cubic metre", 1};
 }  // namespace units
@@ -49,6 +54,7 @@ struct Number {
   std::optional<double> at_least = {};
   std::optional<double> below = {};
   std::optional<double> at_most = {};
+  bool not_zero = false;
   int multiple_of = 0;
   const char* word = nullptr;  ///< a word that leaves the field empty: "auto"
   bool required = false;

@@ -8,8 +8,12 @@
 ///   table, tables, criteria         one table, an array of tables, the [accept] table
 ///   one_of                          keys that exclude each other
 ///   when                            keys that belong to some choices of an earlier key only
+/// The keys of the span and of what acts on it stand in keys_span.hpp, those of the self-damping study in
+/// keys_self_damping.hpp.
 
 #include "declare.hpp"
+#include "keys_self_damping.hpp"
+#include "keys_span.hpp"
 #include "strandyn/casefile/scene.hpp"
 
 namespace strandyn::casefile {
@@ -67,7 +71,7 @@ void keys(V& v, Conductor& c) {
            {.help = "the rated tensile strength", .unit = units::kN, .above = 0});
 }
 
-// ---- [section], [span]
+// ---- [section]
 
 template <class V>
 void keys(V& v, Spring& s) {
@@ -104,6 +108,10 @@ void keys(V& v, Section& s) {
               .required = true});
     v.number("GJ_N_m2", s.GJ, {.help = "the torsional stiffness", .unit = units::N_m2, .above = 0});
     v.number("mass_kg_per_m", s.mass_per_length, {.help = "the mass per length", .unit = units::kg_per_m, .above = 0});
+    v.number("rotary_kg_m", s.rotary_inertia,
+             {.help = "the mass moment per length about an axis of bending", .unit = units::kg_m, .at_least = 0});
+    v.number("polar_kg_m", s.polar_inertia,
+             {.help = "the mass moment per length about the axis of the span", .unit = units::kg_m, .at_least = 0});
   });
   v.when("law", s.law, {Law::multilinear}, [&] {
     v.tables("spring", s.springs,
@@ -111,97 +119,25 @@ void keys(V& v, Section& s) {
   });
 }
 
-template <class V>
-void keys(V& v, Span& s) {
-  v.one_of({"length_m", "nodes_m"}, {.required = true});
-  v.number("length_m", s.length, {.help = "the distance between the supports", .unit = units::m, .above = 0});
-  v.rows("nodes_m", s.nodes,
-         {{{.help = "x", .unit = units::m}, {.help = "y", .unit = units::m}, {.help = "z", .unit = units::m}}},
-         {.help = "the corners of a bend or a frame, at least two"});
-  v.one_of({"tension_kN", "tension_rts", "unstressed_length_m"}, {});
-  v.number("tension_kN", s.tension, {.help = "the tension", .unit = units::kN, .at_least = 0});
-  v.number("tension_rts", s.tension_rts,
-           {.help = "the tension as a part of the rated strength, 0.15 for 15 %", .at_least = 0, .at_most = 1});
-  v.number("unstressed_length_m", s.unstressed_length,
-           {.help = "the length without tension", .unit = units::m, .above = 0});
-  v.number("height_difference_m", s.height_difference,
-           {.help = "the height of the right support above the left one", .unit = units::m});
-  v.number("elements", s.elements, {.help = "the number of elements", .at_least = 1, .word = "auto"});
-  v.choice("grading", s.grading, {.help = "where the elements are short"});
-  v.choice("left", s.left, {.help = "the left support"});
-  v.choice("right", s.right, {.help = "the right support"});
-  v.choice("dimension", s.dimension, {.help = "whether the span moves in the plane of x and y only"});
-  v.flag("torsion", s.torsion, {.help = "whether the span twists"});
-  v.flag("gravity", s.gravity, {.help = "whether gravity acts, against y"});
-  v.choice("mass", s.mass, {.help = "the mass matrix"});
-  v.flag("rotary_inertia", s.rotary_inertia, {.help = "whether cross sections resist rotation by inertia"});
-  v.flag("condense_axial", s.condense_axial, {.help = "whether axial inertia is left out"});
-}
-
-// ---- [[load]], [initial], [damping]
-
-template <class V>
-void keys(V& v, Load& l) {
-  v.choice("type", l.type, {.help = "the kind of load", .required = true});
-  v.one_of({"at_m", "per_length"}, {.required = true});
-  v.number("at_m", l.at, {.help = "the distance from the left support", .unit = units::m, .at_least = 0});
-  v.flag("per_length", l.per_length, {.help = "whether the load acts on every metre of the span"});
-  v.when("type", l.type, {LoadType::static_force}, [&] {
-    v.one_of({"force_N", "moment_N_m"}, {.required = true});
-    v.number("force_N", l.force, {.help = "the force, per metre with per_length", .unit = units::N});
-  });
-  v.when("type", l.type, {LoadType::harmonic_force}, [&] {
-    v.one_of({"amplitude_N", "moment_N_m"}, {.required = true});
-    v.number("amplitude_N", l.amplitude,
-             {.help = "the amplitude of the force, per metre with per_length", .unit = units::N});
-    v.one_of({"frequency_Hz", "frequency"}, {.required = true});
-    v.number("frequency_Hz", l.frequency, {.help = "the frequency", .unit = units::Hz, .above = 0});
-    v.mode_word("frequency", l.frequency_mode, {.help = "a natural frequency, written \"mode 12\""});
-  });
-  v.when("type", l.type, {LoadType::static_force, LoadType::harmonic_force}, [&] {
-    v.number("moment_N_m", l.moment,
-             {.help = "the moment or its amplitude, in the place of a force", .unit = units::N_m});
-  });
-  v.when("type", l.type, {LoadType::table}, [&] {
-    v.rows("history", l.history, {{{.help = "time", .unit = units::s}, {.help = "force or moment", .unit = units::N}}},
-           {.help = "the load over time, rows of seconds and newtons (newton metres with moment = true)",
-            .required = true});
-    v.flag("moment", l.history_is_moment, {.help = "whether the history is that of a moment"});
-  });
-  v.vector("direction", l.direction,
-           {.help = "the direction of the force, or the axis of the moment (y, or z for a moment, unless given)"});
-}
-
-template <class V>
-void keys(V& v, Initial& i) {
-  v.number("velocity_mode", i.velocity_mode,
-           {.help = "the mode in which the span moves at the start", .at_least = 1, .required = true});
-  v.number("antinode_velocity_m_per_s", i.antinode_velocity,
-           {.help = "the velocity of its antinode", .unit = units::m_per_s, .required = true});
-}
-
-template <class V>
-void keys(V& v, Rayleigh& r) {
-  v.number("mass", r.mass, {.help = "the factor of the mass matrix", .unit = units::per_s, .at_least = 0});
-  v.number("stiffness", r.stiffness,
-           {.help = "the factor of the stiffness matrix", .unit = units::stiffness_s, .at_least = 0});
-}
-
-template <class V>
-void keys(V& v, Damping& d) {
-  v.rows("modal", d.modal,
-         {{{.help = "mode", .at_least = 1, .whole = true}, {.help = "damping ratio", .at_least = 0, .below = 1}}},
-         {.help = "viscous damping of single modes, rows of mode and damping ratio"});
-  v.table("rayleigh", d.rayleigh, {.help = "viscous damping by the mass and the stiffness matrix"});
-  v.number("drag_N_s_per_m2", d.drag,
-           {.help = "the viscous force per length and velocity", .unit = units::N_s_per_m2, .at_least = 0});
-}
-
 // ---- [static], [integrator]
 
 template <class V>
 void keys(V& v, Static& s) {
   v.choice("control", s.control, {.help = "what a static analysis steps"});
+  v.when("control", s.control, {Control::displacement}, [&] {
+    v.number("displacement_mm", s.displacement,
+             {.help = "the displacement at the end, of the point of the first static-force load along that load",
+              .unit = units::mm,
+              .not_zero = true,
+              .required = true});
+  });
+  v.when("control", s.control, {Control::arc_length}, [&] {
+    v.number(
+        "arc_step_mm", s.arc_step,
+        {.help = "the length of an arc step (from the first load step unless given)", .unit = units::mm, .above = 0});
+    v.number("max_load_factor", s.max_load_factor,
+             {.help = "the load factor at which the path ends, once first passed", .above = 0});
+  });
 }
 
 template <class V>
@@ -224,7 +160,8 @@ void keys(V& v, Integrator& i) {
   v.number("newton_tolerance", i.newton_tolerance,
            {.help = "the size of a Newton correction that ends the iteration", .above = 0, .below = 1});
   v.number("max_numerical_share", i.max_numerical_share,
-           {.help = "the numerical dissipation allowed, as a part of the physical one", .above = 0});
+           {.help = "the numerical dissipation allowed, as a part of the physical one (0.05 for 20 cycles and more)",
+            .above = 0});
   v.number("checkpoint_every_s", i.checkpoint_every,
            {.help = "the wall time between checkpoints", .unit = units::s, .above = 0});
 }
@@ -265,12 +202,22 @@ void keys(V& v, AxialTorsionAnalysis& a) {
 
 template <class V>
 void keys(V& v, StaticAnalysis& a) {
-  v.number("steps", a.steps, {.help = "the number of equal steps to the full load", .at_least = 1});
+  v.number(
+      "steps", a.steps,
+      {.help = "the number of equal steps to the full load or displacement, or the most arc steps", .at_least = 1});
+  v.numbers("slip_map_loads_N", a.slip_map_loads,
+            {.help = "loads, at which the slipping wires of the section at the loaded point are listed",
+             .unit = units::N,
+             .at_least = 0});
 }
 
 template <class V>
 void keys(V& v, ModesAnalysis& a) {
   v.number("count", a.count, {.help = "the number of modes", .at_least = 1});
+  v.number("near_Hz", a.near_frequency,
+           {.help = "the frequency whose nearest modes are wanted (the lowest unless given)",
+            .unit = units::Hz,
+            .above = 0});
 }
 
 template <class V>
@@ -289,6 +236,17 @@ void keys(V& v, ForcedAnalysis& a) {
 }
 
 template <class V>
+void keys(V& v, TransientAnalysis& a) {
+  v.number("duration_s", a.duration,
+           {.help = "the time that is integrated", .unit = units::s, .above = 0, .required = true});
+  v.numbers(
+      "probes_m", a.probes,
+      {.help = "places whose motion is written, along the span (the right end and the loaded points unless given)",
+       .unit = units::m,
+       .at_least = 0});
+}
+
+template <class V>
 void keys(V& v, Analysis& a) {
   using enum AnalysisType;
   v.choice("type", a.type, {.help = "what is computed", .required = true});
@@ -298,6 +256,8 @@ void keys(V& v, Analysis& a) {
   v.when("type", a.type, {modes}, [&] { keys(v, a.modes); });
   v.when("type", a.type, {decay}, [&] { keys(v, a.decay); });
   v.when("type", a.type, {forced}, [&] { keys(v, a.forced); });
+  v.when("type", a.type, {transient}, [&] { keys(v, a.transient); });
+  v.when("type", a.type, {self_damping}, [&] { keys(v, a.self_damping); });
 }
 
 // ---- [accept], the file
@@ -322,6 +282,8 @@ void keys(V& v, Scene& s) {
   v.table("section", s.section, {.help = "how a section answers to strain"});
   v.table("span", s.span, {.help = "the span between its supports"});
   v.tables("load", s.loads, {.help = "the loads on the span"});
+  v.tables("motion", s.motions, {.help = "prescribed motions of supports and points of the span"});
+  v.tables("body", s.bodies, {.help = "lumped masses, springs and dampers on the span"});
   v.table("initial", s.initial, {.help = "how the span moves at the start"});
   v.table("damping", s.damping, {.help = "viscous damping beside the friction of the conductor"});
   v.table("static", s.static_, {.help = "static equilibrium"});

@@ -9,7 +9,14 @@ namespace strandyn::casefile {
 /// Throws InputError at the layer that no strand can have.
 void resolve_conductor(Conductor& conductor, const Source& source);
 
-/// Fills what follows from other keys (directions of loads, steps per cycle) and refuses what contradicts itself.
+/// Fills the directions of loads, motions and bodies; refuses places outside the span, directions that it cannot
+/// follow, histories that step back.
+void resolve_loads(Scene& scene);
+
+/// The checks of a self-damping study: what a point needs, what its roads need.
+void check_self_damping(const Scene& scene);
+
+/// Fills what follows from other keys (all of the above, steps per cycle) and refuses what contradicts itself.
 void resolve_scene(Scene& scene);
 
 }  // namespace strandyn::casefile

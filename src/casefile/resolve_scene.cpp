@@ -14,11 +14,12 @@ bool is_strand_law(Law law) {
 }
 
 bool needs_span(AnalysisType type) {
-  return type != AnalysisType::section && type != AnalysisType::axial_torsion;
+  return type != AnalysisType::section && type != AnalysisType::axial_torsion && type != AnalysisType::self_damping;
 }
 
 bool is_dynamic(AnalysisType type) {
-  return type == AnalysisType::modes || type == AnalysisType::decay || type == AnalysisType::forced;
+  return type == AnalysisType::modes || type == AnalysisType::decay || type == AnalysisType::forced ||
+         type == AnalysisType::transient;
 }
 
 void check_tables(const Scene& scene) {
@@ -44,6 +45,37 @@ void check_rated_strength(const Scene& scene, const char* key_path) {
          "give conductor.rated_strength_kN, or tension_kN instead");
 }
 
+Vector3 leg(const Span& span, std::size_t i) {
+  return {span.nodes[i + 1][0] - span.nodes[i][0], span.nodes[i + 1][1] - span.nodes[i][1],
+          span.nodes[i + 1][2] - span.nodes[i][2]};
+}
+
+/// Whether two legs run on in the same direction, to a microradian: corners are written with few digits.
+bool runs_on(const Vector3& a, const Vector3& b) {
+  const double sine = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return sine <= 1e-6 * cosine;
+}
+
+/// What is left out of the motion must not be what carries it.
+void check_what_is_left_out(const Scene& scene) {
+  const Span& span = *scene.span;
+  for (std::size_t i = 1; !span.torsion && i + 1 < span.nodes.size(); ++i) {
+    if (runs_on(leg(span, i - 1), leg(span, i))) continue;
+    refuse(scene.source, "span.torsion",
+           fmt::format("leaves out torsion, and span.nodes_m[{}] is a bend: a bend needs torsion", i),
+           "remove it, or give corners on a straight line");
+  }
+  if (!span.condense_axial) return;
+  const char* excluded = !span.nodes.empty()           ? "span.nodes_m"
+                         : span.gravity                ? "span.gravity"
+                         : span.height_difference != 0 ? "span.height_difference_m"
+                                                       : nullptr;
+  if (!excluded) return;
+  refuse(scene.source, "span.condense_axial", fmt::format("excludes `{}`, and both are given", excluded),
+         "remove one of the two: axial unknowns are condensed for transverse motion about a straight level span only");
+}
+
 void check_span(const Scene& scene) {
   const Span& span = *scene.span;
   if (span.tension_rts) check_rated_strength(scene, "span.tension_rts");
@@ -65,10 +97,12 @@ void check_span(const Scene& scene) {
         refuse(scene.source, path, "leaves the plane of x and y", "set z to 0, or give dimension = \"spatial\"");
       }
     }
-  } else if (!span.tension && !span.tension_rts && !span.unstressed_length) {
+  } else if (!span.tension && !span.tension_rts && !span.unstressed_length &&
+             scene.analysis.type != AnalysisType::self_damping) {  // which has tensions of its own
     refuse(scene.source, "span", "its tension is missing",
            "give exactly one of tension_kN (0 for none), tension_rts, unstressed_length_m");
   }
+  check_what_is_left_out(scene);
   if ((is_dynamic(scene.analysis.type) || span.gravity) && !mass_per_length(scene)) {
     const char* path =
         scene.conductor && is_strand_law(scene.section.law) ? "conductor.mass_kg_per_m" : "section.mass_kg_per_m";
@@ -81,36 +115,49 @@ void check_span(const Scene& scene) {
   }
 }
 
-void resolve_direction(Load& load, const std::string& path, const Scene& scene) {
-  if (!load.direction) load.direction = load.is_moment() ? Vector3{0, 0, 1} : Vector3{0, 1, 0};
-  auto& [x, y, z] = *load.direction;
-  const double norm = std::hypot(x, y, z);
-  if (norm == 0) refuse(scene.source, path + ".direction", "has no length", "give for example [0, 1, 0]");
-  x /= norm;
-  y /= norm;
-  z /= norm;
-  if (!scene.span || scene.span->dimension == Dimension::spatial) return;
-  if (!load.is_moment() && z != 0) {
-    refuse(scene.source, path + ".direction", "leaves the plane of x and y",
-           "give a direction with z = 0, or span.dimension = \"spatial\"");
-  }
-  if (load.is_moment() && y != 0) {
-    refuse(scene.source, path + ".direction", "turns the span out of the plane of x and y",
-           "give the axis [0, 0, 1], or span.dimension = \"spatial\"");
-  }
+/// `key_path` needs a force at a point as the first static-force load.
+void check_first_force(const Scene& scene, const char* key_path) {
+  const auto first = first_static_force(scene);
+  if (!first) refuse(scene.source, key_path, "needs a load", "give a [[load]] with type = \"static-force\"");
+  const Load& load = scene.loads[*first];
+  const char* fault = !load.at            ? "has no point"
+                      : load.is_moment()  ? "is a moment"
+                      : load.value() == 0 ? "is 0"
+                                          : nullptr;
+  if (!fault) return;
+  refuse(scene.source, fmt::format("load[{}]", *first),
+         fmt::format("{}, and `{}` needs a force at a point as the first static-force load", fault, key_path),
+         "give at_m and a force_N other than 0, or such a load before it");
 }
 
-void resolve_load(Load& load, const std::string& path, const Scene& scene) {
-  if (scene.span && load.at && *load.at > scene.span->total_length()) {
-    refuse(scene.source, path + ".at_m", "lies outside the span",
-           fmt::format("give a distance from the left support between 0 and {} metres", scene.span->total_length()));
+void check_static(const Scene& scene) {
+  if (scene.analysis.type != AnalysisType::static_) return;
+  const auto grows = [](const Load& load) { return load.type == LoadType::static_force && load.value() != 0; };
+  if (scene.static_.control != Control::load && std::ranges::none_of(scene.loads, grows)) {
+    refuse(scene.source, "static.control", "needs a load that is not 0",
+           "give a [[load]] with type = \"static-force\", or control = \"load\"");
   }
-  resolve_direction(load, path, scene);
-  for (std::size_t i = 1; i < load.history.size(); ++i) {
-    if (load.history[i][0] <= load.history[i - 1][0]) {
-      refuse(scene.source, fmt::format("{}.history[{}]", path, i), "its time does not come after the one before",
-             "give rows of rising time");
-    }
+  if (scene.static_.control == Control::displacement) check_first_force(scene, "static.control");
+  if (scene.analysis.static_.slip_map_loads.empty()) return;
+  if (!is_strand_law(scene.section.law)) {
+    refuse(scene.source, "analysis.slip_map_loads_N",
+           fmt::format("asks for wires, and section.law = \"{}\" has none", name_of(scene.section.law)),
+           "remove it, or choose a law of strands such as \"return-map\"");
+  }
+  check_first_force(scene, "analysis.slip_map_loads_N");
+}
+
+void check_transient(const Scene& scene) {
+  if (scene.analysis.type != AnalysisType::transient) return;
+  if (scene.integrator.step == StepRule::fixed && !scene.integrator.step_size) {
+    refuse(scene.source, "integrator.step_s", "is missing, and analysis.type = \"transient\" has no cycle to divide",
+           "give the time step in seconds");
+  }
+  const std::vector<double>& probes = scene.analysis.transient.probes;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (probes[i] <= scene.span->total_length() * (1 + 1e-12)) continue;
+    refuse(scene.source, fmt::format("analysis.probes_m[{}]", i), "lies outside the span",
+           fmt::format("give a distance from the left support between 0 and {} metres", scene.span->total_length()));
   }
 }
 
@@ -130,11 +177,16 @@ void check_analysis(const Scene& scene) {
            scene.initial ? "excludes [initial], and both are given" : "is missing, and nothing else starts the motion",
            "give exactly one: antinode_amplitude_mm, or [initial] with a velocity");
   }
-  const auto is_harmonic = [](const Load& load) { return load.type == LoadType::harmonic_force; };
-  if (analysis.type == AnalysisType::forced && std::ranges::none_of(scene.loads, is_harmonic)) {
+  const bool cycle = std::ranges::count(scene.loads, LoadType::harmonic_force, &Load::type) > 0 ||
+                     std::ranges::count(scene.motions, MotionType::harmonic_motion, &Motion::type) > 0;
+  if (analysis.type == AnalysisType::forced && !cycle) {
     refuse(scene.source, "analysis.type", "has no load that sets the cycle",
-           "give a [[load]] with type = \"harmonic-force\" and its frequency");
+           "give a [[load]] with type = \"harmonic-force\", or a [[motion]] with type = \"harmonic-motion\", and its "
+           "frequency");
   }
+  check_static(scene);
+  check_transient(scene);
+  check_self_damping(scene);
 }
 
 void check_criterion(const Criterion& criterion, const Source& source) {
@@ -163,7 +215,7 @@ void resolve_scene(Scene& scene) {
   check_tables(scene);
   if (scene.conductor) resolve_conductor(*scene.conductor, scene.source);
   if (scene.span) check_span(scene);
-  for (std::size_t i = 0; i < scene.loads.size(); ++i) resolve_load(scene.loads[i], fmt::format("load[{}]", i), scene);
+  resolve_loads(scene);
   check_analysis(scene);
   Integrator& integrator = scene.integrator;
   if (integrator.step == StepRule::fixed && !integrator.step_size && !integrator.steps_per_cycle) {

@@ -1,5 +1,6 @@
 #include "strandyn/casefile/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace strandyn::casefile {
@@ -29,6 +30,21 @@ std::vector<double> section_tensions(const Scene& scene) {
   std::vector<double> tensions = scene.analysis.section.tensions;
   for (const double part : scene.analysis.section.tensions_rts) tensions.push_back(part * rated_strength(scene));
   return tensions;
+}
+
+bool SelfDampingAnalysis::names_modes() const {
+  return !modes.empty() || std::ranges::any_of(at, [](const DampingAt& point) { return point.mode.has_value(); });
+}
+
+bool SelfDampingAnalysis::takes(DampingRoad wanted) const {
+  if (has_grid() && road == wanted) return true;
+  return std::ranges::any_of(at, [&](const DampingAt& point) { return point.road.value_or(road) == wanted; });
+}
+
+std::optional<std::size_t> first_static_force(const Scene& scene) {
+  const auto first = std::ranges::find(scene.loads, LoadType::static_force, &Load::type);
+  if (first == scene.loads.end()) return std::nullopt;
+  return static_cast<std::size_t>(first - scene.loads.begin());
 }
 
 std::optional<double> mass_per_length(const Scene& scene) {

@@ -22,6 +22,7 @@ ordered_json number_schema(const Number& number, bool whole) {
   if (number.at_least) schema["minimum"] = json_number(*number.at_least);
   if (number.below) schema["exclusiveMaximum"] = json_number(*number.below);
   if (number.at_most) schema["maximum"] = json_number(*number.at_most);
+  if (number.not_zero) schema["not"] = {{"const", 0}};
   if (number.multiple_of > 0) schema["multipleOf"] = number.multiple_of;
   return schema;
 }

@@ -22,6 +22,7 @@ void CycleObserver::begin(const system::System& system, const solver::StepRecord
   before_ = cycle_start_ = ledger_.now();
   time_before_ = initial.time;
   places_.emplace(system.model(), options_.loop_length);
+  system_is_planar_ = !model::is_spatial(system.model().freedom);
   restart(system);
   watch(system, initial);
 }
@@ -29,13 +30,17 @@ void CycleObserver::begin(const system::System& system, const solver::StepRecord
 void CycleObserver::restart(const system::System& system) {
   deflection_.restart(places_->size());
   curvature_.restart(system.committed_strains().points());
+  curvature_3_.restart(curvature_.low.size());
   friction_.assign(system.committed_strains().points(), 0.0);
 }
 
 void CycleObserver::watch(const system::System& system, const solver::StepRecord& record) {
   for (std::size_t i = 0; i < places_->size(); ++i) deflection_.widen(i, places_->at(record.u.data(), i));
-  const AlignedVector& chi = system.committed_strains()[Component::bending2];
-  for (std::size_t point = 0; point < friction_.size(); ++point) curvature_.widen(point, chi[point]);
+  const section::Field& strains = system.committed_strains();
+  for (std::size_t point = 0; point < friction_.size(); ++point) {
+    curvature_.widen(point, strains[Component::bending2][point]);
+    if (!strains[Component::bending3].empty()) curvature_3_.widen(point, strains[Component::bending3][point]);
+  }
 }
 
 void CycleObserver::step(const system::System& system, const solver::StepRecord& record) {
@@ -57,13 +62,22 @@ void CycleObserver::step(const system::System& system, const solver::StepRecord&
   time_before_ = record.time;
 }
 
+void CycleObserver::archive(Archive& a) {
+  a(ledger_, before_, cycle_start_, time_before_, cycles_);
+  a(deflection_, curvature_, curvature_3_, friction_, kept_);
+}
+
 void CycleObserver::end_cycle(const Account& at_end, double time) {
   Cycle cycle{.end_time = time,
               .external_work = at_end.external_work - cycle_start_.external_work,
               .kinetic = at_end.kinetic,
               .elastic = at_end.elastic,
               .friction = at_end.friction - cycle_start_.friction,
-              .viscous = at_end.viscous - cycle_start_.viscous,
+              .viscous = at_end.viscous.total() - cycle_start_.viscous.total(),
+              .viscous_parts = {.drag = at_end.viscous.drag - cycle_start_.viscous.drag,
+                                .dampers = at_end.viscous.dampers - cycle_start_.viscous.dampers,
+                                .rayleigh = at_end.viscous.rayleigh - cycle_start_.viscous.rayleigh,
+                                .modal = at_end.viscous.modal - cycle_start_.viscous.modal},
               .numerical = at_end.numerical() - cycle_start_.numerical(),
               .quadrature_error = at_end.quadrature_error - cycle_start_.quadrature_error,
               .internal_work = at_end.internal_work - cycle_start_.internal_work};
@@ -72,7 +86,9 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
   }
   PointRecord points{.friction = friction_, .curvature_amplitude = {}};
   for (std::size_t point = 0; point < friction_.size(); ++point) {
-    points.curvature_amplitude.push_back(curvature_.amplitude(point));
+    const bool spatial = !system_is_planar_;
+    points.curvature_amplitude.push_back(
+        std::max(curvature_.amplitude(point), spatial ? curvature_3_.amplitude(point) : 0.0));
   }
   for (std::size_t first = 0; first < friction_.size(); first += beam::gauss_points) {
     const auto begin = friction_.begin() + static_cast<std::ptrdiff_t>(first);
@@ -91,11 +107,11 @@ Profile CycleObserver::profile(const system::System& system) const {
                   .friction = std::vector<double>(points, 0.0),
                   .curvature_amplitude = std::vector<double>(points, 0.0),
                   .cycles = kept_.size()};
+  const std::vector<double> arc = model::arc_lengths(system.model());
   for (std::size_t point = 0; point < points; ++point) {
     const std::size_t element = point / beam::gauss_points;
     const double part = beam::gauss_position[point % beam::gauss_points];
-    const double left = system.model().nodes[element].x();
-    profile.position.push_back(left + part * (system.model().nodes[element + 1].x() - left));
+    profile.position.push_back(arc[element] + part * (arc[element + 1] - arc[element]));
     for (const PointRecord& record : kept_) {
       const double weight = 1 / static_cast<double>(kept_.size());
       profile.friction[point] += weight * record.friction[point];

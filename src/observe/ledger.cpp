@@ -8,27 +8,41 @@ Account interpolate(const Account& from, const Account& to, double part) {
           .kinetic = mix(from.kinetic, to.kinetic),
           .elastic = mix(from.elastic, to.elastic),
           .friction = mix(from.friction, to.friction),
-          .viscous = mix(from.viscous, to.viscous),
+          .viscous = {.drag = mix(from.viscous.drag, to.viscous.drag),
+                      .dampers = mix(from.viscous.dampers, to.viscous.dampers),
+                      .rayleigh = mix(from.viscous.rayleigh, to.viscous.rayleigh),
+                      .modal = mix(from.viscous.modal, to.viscous.modal)},
           .quadrature_error = mix(from.quadrature_error, to.quadrature_error),
           .internal_work = mix(from.internal_work, to.internal_work),
           .initial_kinetic = to.initial_kinetic};
 }
 
+/// Forces on the chain; at supports that move, what the support has to do.
+void Ledger::evaluate(const system::System& system, const solver::StepRecord& record, system::Vector& external,
+                      system::Vector& internal) {
+  system.external_force({.time = record.time}, record.u.data(), external.data());
+  system.internal_force(record.u.data(), internal.data());
+  if (!system.has_moving_supports()) return;
+  system::Vector resistance = internal;
+  system.add_inertia_and_drag({.u = record.u.data(), .v = record.v.data(), .a = record.a.data()}, resistance.data());
+  for (std::size_t i = 0; i < system.unknowns(); ++i) {
+    if (system.is_held(i)) external(static_cast<Eigen::Index>(i)) = resistance(static_cast<Eigen::Index>(i));
+  }
+}
+
 void Ledger::begin(const system::System& system, const solver::StepRecord& initial) {
   u_ = initial.u;
   external_ = internal_ = next_external_ = next_internal_ = system::Vector::Zero(u_.size());
-  system.external_force(initial.time, external_.data());
-  system.internal_force(u_.data(), internal_.data());
-  drag_power_ = system.drag_power(initial.v.data());
+  evaluate(system, initial, external_, internal_);
+  power_ = system.viscous_power(initial.v.data());
   initial_elastic_ = initial.accepted.elastic;
   now_ = {};
   now_.initial_kinetic = now_.kinetic = system.kinetic_energy(initial.u.data(), initial.v.data());
 }
 
 void Ledger::step(const system::System& system, const solver::StepRecord& record) {
-  system.external_force(record.time, next_external_.data());
-  system.internal_force(record.u.data(), next_internal_.data());
-  const double drag_power = system.drag_power(record.v.data());
+  evaluate(system, record, next_external_, next_internal_);
+  const system::ViscousLoss power = system.viscous_power(record.v.data());
 
   now_.external_work += 0.5 * (external_ + next_external_).dot(record.u - u_);
   now_.internal_work += 0.5 * (internal_ + next_internal_).dot(record.u - u_);
@@ -36,12 +50,16 @@ void Ledger::step(const system::System& system, const solver::StepRecord& record
   now_.elastic = record.accepted.elastic - initial_elastic_;
   now_.friction += record.accepted.friction;
   now_.quadrature_error += record.accepted.quadrature_error;
-  now_.viscous += 0.5 * record.step * (drag_power_ + drag_power);
+  const double half = 0.5 * record.step;
+  now_.viscous.drag += half * (power_.drag + power.drag);
+  now_.viscous.dampers += half * (power_.dampers + power.dampers);
+  now_.viscous.rayleigh += half * (power_.rayleigh + power.rayleigh);
+  now_.viscous.modal += half * (power_.modal + power.modal);
 
   u_ = record.u;
   external_.swap(next_external_);
   internal_.swap(next_internal_);
-  drag_power_ = drag_power;
+  power_ = power;
 }
 
 }  // namespace strandyn::observe

@@ -13,22 +13,28 @@ class ChainProblem {
   explicit ChainProblem(system::System& system);
 
   std::size_t unknowns() const { return system_.unknowns(); }
+  std::string unknown_name(std::size_t i) const { return system_.model().unknown_name(i); }
 
   /// F(t, y, y'), each of length 2 * unknowns: first u, then v.
   void residual(double t, const double* y, const double* yp, double* f);
   /// Factors the matrix at the state of the last residual.
   void refresh(double cj);
-  /// Solves J x = b with the factors at hand. b is zero for held unknowns, as their residual is: they never move.
+  /// Solves J x = b with the factors at hand.
   void solve(const double* b, double* x);
 
   double factored_cj() const { return cj_; }
+
+  /// The factors at hand, and what `solve` needs beside them. They were made at a state and a history of long ago.
+  void archive(Archive& a) { a(G_, factors_, cj_); }
 
  private:
   system::System& system_;
   system::Vector external_, internal_;
   system::Vector u_, v_, a_;  // state of the last residual
   system::Matrix K_, G_;
-  math::BlockTridiagonalLU<static_cast<int>(model::unknowns_per_node)> factors_;
+  math::ChainFactors factors_;
+  double time_ = 0;                   // of the last residual
+  system::Vector held_, held_rates_;  // what prescribed motions say; zero for all others
   system::Vector right_side_, product_;
   double cj_ = 0;
 };

@@ -1,57 +1,108 @@
 #include "strandyn/solver/ida.hpp"
 
+#include "checkpoint.hpp"
 #include "ida_session.hpp"
 
 namespace strandyn::solver {
 
 using system::Vector;
 
-IdaSummary integrate_ida(system::System& system, const InitialMotion& initial, const IdaOptions& options,
-                         std::span<Observer* const> observers) {
-  IdaSession session(system, initial, options);
-  Vector u = initial.u;
-  Vector v = Vector::Zero(u.size());
-  for (std::size_t i = 0; i < system.unknowns(); ++i) {
-    if (system.has_mass(i)) v(static_cast<Eigen::Index>(i)) = initial.v(static_cast<Eigen::Index>(i));
-  }
-  const StepRecord start{.time = 0, .step = 0, .order = 0, .u = u, .v = v, .accepted = system.commit(u.data())};
-  for (Observer* observer : observers) observer->begin(system, start);
+namespace {
 
-  IdaSummary summary;
-  bool second_order_reached = false;
-  // A step that ends within rounding of the end time has arrived.
-  const double arrived = options.end_time * (1 - 1e-12) - 1e-9 * options.step;
-  while (summary.end_time < arrived) {
-    if (!session.step()) {
-      summary.ending = Ending::failed;
-      summary.failure = session.failure();
-      break;
+class Run {
+ public:
+  Run(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
+      std::span<Observer* const> observers)
+      : system_(system),
+        options_(options),
+        observers_(observers),
+        session_(system, initial, options),
+        u_(initial.u),
+        v_(Eigen::Map<const Vector>(session_.v(), u_.size())),
+        a_(Eigen::Map<const Vector>(session_.a(), u_.size())),
+        stops_(corner_times(system.model(), options.end_time)) {}
+
+  IntegratorSummary go() {
+    begin();
+    // A step that ends within rounding of the end time has arrived.
+    const double rounding = 1e-12 * options_.end_time + 1e-9 * options_.step;
+    while (summary_.end_time < options_.end_time - rounding) {
+      if (!session_.step(stops_[next_stop_])) {
+        summary_.ending = Ending::failed;
+        summary_.failure = session_.failure();
+        break;
+      }
+      accept();
+      if (options_.stop && options_.stop()) summary_.ending = Ending::stopped;
+      pass_corner();
+      keep_checkpoint(options_.checkpoints, system_, *this, observers_);
+      if (summary_.ending == Ending::stopped) break;
     }
-    ++summary.steps;
-    summary.end_time = session.time();
-    const int order = session.last_order();
-    second_order_reached = second_order_reached || order == 2;
-    if (second_order_reached && order == 1) ++summary.order_one_steps;
-    u = Eigen::Map<const Vector>(session.u(), u.size());
-    v = Eigen::Map<const Vector>(session.v(), v.size());
-    const StepRecord record{.time = session.time(),
-                            .step = session.last_step(),
+    summary_.rejected_steps = session_.rejected_steps();
+    summary_.newton_iterations = session_.newton_iterations();
+    return summary_;
+  }
+
+  void archive(Archive& a) {
+    a.same(std::string("ida"), "integrator");
+    a(session_, next_stop_, second_order_reached_, summary_.steps, summary_.order_one_steps, summary_.end_time);
+  }
+
+ private:
+  void begin() {
+    const StepRecord start{
+        .time = 0, .step = 0, .order = 0, .u = u_, .v = v_, .a = a_, .accepted = system_.commit(u_.data())};
+    for (Observer* observer : observers_) observer->begin(system_, start);
+    resume(options_.checkpoints, system_, *this, observers_);
+  }
+
+  /// Commits the state at the end of the step and tells the observers.
+  void accept() {
+    ++summary_.steps;
+    summary_.end_time = session_.time();
+    const int order = session_.last_order();
+    second_order_reached_ = second_order_reached_ || order == 2;
+    if (second_order_reached_ && order == 1) ++summary_.order_one_steps;
+    u_ = Eigen::Map<const Vector>(session_.u(), u_.size());
+    v_ = Eigen::Map<const Vector>(session_.v(), v_.size());
+    a_ = Eigen::Map<const Vector>(session_.a(), a_.size());
+    const StepRecord record{.time = session_.time(),
+                            .step = session_.last_step(),
                             .order = order,
-                            .u = u,
-                            .v = v,
-                            .accepted = system.commit(u.data())};
-    {
-      const Stopwatch::Lap lap(system.stopwatch(), Part::observers);
-      for (Observer* observer : observers) observer->step(system, record);
-    }
-    if (options.stop && options.stop()) {
-      summary.ending = Ending::stopped;
-      break;
+                            .u = u_,
+                            .v = v_,
+                            .a = a_,
+                            .accepted = system_.commit(u_.data())};
+    const Stopwatch::Lap lap(system_.stopwatch(), Part::observers);
+    for (Observer* observer : observers_) observer->step(system_, record);
+  }
+
+  /// A multistep formula starts anew at a corner: its older steps lie on another line.
+  void pass_corner() {
+    const bool corner = summary_.end_time >= stops_[next_stop_] && next_stop_ + 1 < stops_.size();
+    if (corner) ++next_stop_;
+    if (system_.shorten_rotations(u_.data(), v_.data()) || corner) {
+      session_.restart(u_, v_);
+      second_order_reached_ = false;
     }
   }
-  summary.rejected_steps = session.rejected_steps();
-  summary.newton_iterations = session.newton_iterations();
-  return summary;
+
+  system::System& system_;
+  const IntegratorOptions& options_;
+  std::span<Observer* const> observers_;
+  IdaSession session_;
+  Vector u_, v_, a_;
+  std::vector<double> stops_;
+  std::size_t next_stop_ = 0;
+  bool second_order_reached_ = false;
+  IntegratorSummary summary_;
+};
+
+}  // namespace
+
+IntegratorSummary integrate_ida(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
+                                std::span<Observer* const> observers) {
+  return Run(system, initial, options, observers).go();
 }
 
 }  // namespace strandyn::solver

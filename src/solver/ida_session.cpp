@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "ida_memory.hpp"
 #include "strandyn/core/error.hpp"
+#include "vector_ops.hpp"
 
 namespace strandyn::solver {
 namespace {
@@ -27,48 +28,45 @@ SUNContext make_context() {
   return context;
 }
 
-N_Vector make_vector(std::size_t n, SUNContext context) {
+N_Vector make_vector(std::size_t n, SUNContext context, bool hold_order) {
   N_Vector v = N_VNew_Serial(static_cast<sunindextype>(2 * n), context);
-  v->ops->nvwrmsnormmask = constant_error;  // clones inherit it
+  use_wide_operations(v);
+  if (hold_order) v->ops->nvwrmsnormmask = constant_error;  // clones inherit it
   N_VConst(0, v);
   return v;
 }
 
 }  // namespace
 
-IdaSession::IdaSession(system::System& system, const InitialMotion& initial, const IdaOptions& options)
-    : problem_(system),
+IdaSession::IdaSession(system::System& system, const InitialMotion& initial, const IntegratorOptions& options)
+    : system_(system),
+      problem_(system),
       options_(options),
       context_(make_context()),
-      y_(make_vector(system.unknowns(), context_.get())),
-      yp_(make_vector(system.unknowns(), context_.get())),
-      id_(make_vector(system.unknowns(), context_.get())),
-      ida_(IDACreate(context_.get())) {
+      y_(make_vector(system.unknowns(), context_.get(), options.relative_error == 0)),
+      yp_(make_vector(system.unknowns(), context_.get(), options.relative_error == 0)),
+      id_(make_vector(system.unknowns(), context_.get(), options.relative_error == 0)),
+      ida_(IDACreate(context_.get())),
+      test_(options.newton_tolerance, system.unknowns()) {
   const std::size_t n = system.unknowns();
-  double* y = N_VGetArrayPointer(y_.get());
-  double* yp = N_VGetArrayPointer(yp_.get());
-  std::copy(initial.u.begin(), initial.u.end(), y);
-  system::Vector force(initial.u.size());
-  system::Vector internal(initial.u.size());
-  system.external_force(0, force.data());
-  system.internal_force(y, internal.data());
-  force -= internal;
   for (std::size_t i = 0; i < n; ++i) {
-    const double rate = initial.v(static_cast<Eigen::Index>(i));
-    if (system.has_mass(i)) y[n + i] = rate;
-    yp[i] = system.is_held(i) ? 0.0 : rate;
     N_VGetArrayPointer(id_.get())[i] = N_VGetArrayPointer(id_.get())[n + i] = system.has_mass(i) ? 1 : 0;
   }
-  system.accelerations(y, y + n, force.data(), yp + n);
+  set_state(initial.u, initial.v);
+  start_ = initial.u;
+  // A micrometre, a microradian, and as much per step: what counts before the motion has begun.
+  largest_ = {1e-6, 1e-6, 1e-6 / options.step, 1e-6 / options.step};
 
   void* ida = ida_.get();
   check(IDASetErrFile(ida, nullptr), "IDASetErrFile");  // `failure` says it better
   check(IDAInit(ida, residual, 0, y_.get(), yp_.get()), "IDAInit");
   check(IDASetUserData(ida, this), "IDASetUserData");
-  check(IDASStolerances(ida, 1e-4, 1e-6), "IDASStolerances");  // unused by the tests below, but IDA wants them
+  check(IDAWFtolerances(ida, weights), "IDAWFtolerances");
   check(IDASetMaxOrd(ida, 2), "IDASetMaxOrd");
   check(IDASetId(ida, id_.get()), "IDASetId");
-  check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");  // the error test then calls the masked norm
+  if (options.relative_error == 0) {
+    check(IDASetSuppressAlg(ida, SUNTRUE), "IDASetSuppressAlg");  // the error test then calls the masked norm
+  }
   check(IDASetMaxStep(ida, options.step), "IDASetMaxStep");
   // IDA doubles from its second step on: 1 + 1 + 2 + 4 + ... + 128 = 256. So nine steps make one whole step, and those
   // that follow meet the cycle's ends.
@@ -84,6 +82,57 @@ IdaSession::IdaSession(system::System& system, const InitialMotion& initial, con
   check(IDASetNonlinearSolver(ida, nonlinear_.get()), "IDASetNonlinearSolver");
   check(IDASetMaxNonlinIters(ida, options.max_newton_iterations), "IDASetMaxNonlinIters");
   check(SUNNonlinSolSetConvTestFn(nonlinear_.get(), has_converged, this), "SUNNonlinSolSetConvTestFn");
+}
+
+/// y and y' of a state: velocities of unknowns with mass, accelerations that go with the forces.
+void IdaSession::set_state(const system::Vector& u, const system::Vector& v) {
+  const std::size_t n = system_.unknowns();
+  double* y = N_VGetArrayPointer(y_.get());
+  double* yp = N_VGetArrayPointer(yp_.get());
+  std::copy(u.begin(), u.end(), y);
+  for (std::size_t i = 0; i < n; ++i) y[n + i] = system_.has_mass(i) ? v(static_cast<Eigen::Index>(i)) : 0.0;
+  if (system_.has_moving_supports()) system_.held_rates(time_, y + n);
+  system::Vector force = system_.make_vector();
+  system::Vector internal = system_.make_vector();
+  system_.external_force({.time = time_}, y, force.data());
+  system_.internal_force(y, internal.data());
+  force -= internal;
+  for (std::size_t i = 0; i < n; ++i) {
+    // Rates of unknowns without mass only help the first predictor.
+    yp[i] = system_.is_held(i) ? y[n + i] : v(static_cast<Eigen::Index>(i));
+  }
+  system_.accelerations(y, y + n, force.data(), yp + n);
+}
+
+void IdaSession::restart(const system::Vector& u, const system::Vector& v) {
+  rejected_before_ = rejected_steps();  // IDA counts from here
+  iterations_before_ = newton_iterations();
+  set_state(u, v);
+  begin_anew();
+}
+
+/// From the y and y' at hand.
+void IdaSession::begin_anew() {
+  check(IDAReInit(ida_.get(), time_, y_.get(), yp_.get()), "IDAReInit");
+  check(IDASetInitStep(ida_.get(), options_.step / 256), "IDASetInitStep");
+}
+
+void IdaSession::archive(Archive& a) {
+  const auto vector = [&](N_Vector v) {
+    for (sunindextype i = 0; i < N_VGetLength(v); ++i) a(N_VGetArrayPointer(v)[i]);
+  };
+  bool stepped = has_stepped(ida_.get());
+  a(stepped);
+  // IDA sets itself up in its first step; what comes of it is replaced.
+  if (a.reads() && stepped && !step(options_.end_time)) throw ComputationError(failure());
+  a(time_, largest_, rejected_before_, iterations_before_, problem_);
+  vector(y_.get());
+  vector(yp_.get());
+  if (stepped) {
+    archive_ida(a, ida_.get());
+  } else if (a.reads()) {
+    begin_anew();
+  }
 }
 
 void IdaSession::make_linear_solver() {
@@ -103,6 +152,27 @@ void IdaSession::make_linear_solver() {
     SUNLinSolFreeEmpty(s);
     return 0;
   };
+}
+
+/// Weights of the error test: each kind of unknown against the largest that it has been. Held order asks for none.
+int IdaSession::weights(N_Vector y, N_Vector weight, void* self) {
+  auto& session = *static_cast<IdaSession*>(self);
+  const double error = session.options_.relative_error;
+  N_VConst(1, weight);
+  if (error == 0) return 0;
+  const model::Model& model = session.system_.model();
+  const std::size_t n = session.problem_.unknowns();
+  const double* state = N_VGetArrayPointer(y);
+  double* w = N_VGetArrayPointer(weight);
+  const auto kind = [&](std::size_t i) {
+    return (i < n ? 0U : 2U) + (model::is_rotation(model.kind(i % n)) ? 1U : 0U);
+  };
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    const double start = i < n ? session.start_(static_cast<Eigen::Index>(i)) : 0;
+    session.largest_[kind(i)] = std::max(session.largest_[kind(i)], std::abs(state[i] - start));
+  }
+  for (std::size_t i = 0; i < 2 * n; ++i) w[i] = 1 / (error * session.largest_[kind(i)]);
+  return 0;
 }
 
 /// SUNDIALS is C: an exception must not cross it. It is kept and thrown again when IDA has returned.
@@ -146,26 +216,21 @@ int IdaSession::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
 int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector correction, realtype, N_Vector,
                               void* self) {
   auto& session = *static_cast<IdaSession*>(self);
-  const double* du = N_VGetArrayPointer(correction);
-  const std::size_t n = session.problem_.unknowns();
-  const double norm = std::sqrt(std::inner_product(du, du + n, du, 0.0));
   int iteration = 0;
   SUNNonlinSolGetCurIter(solver, &iteration);
-  const double before = session.previous_norm_;
-  session.previous_norm_ = norm;
-  const double tolerance = session.options_.newton_tolerance;
-  if (!std::isfinite(norm)) return SUN_NLS_CONV_RECVR;
-  if (norm <= 0.1 * tolerance) return SUN_NLS_SUCCESS;
-  if (iteration == 0) return SUN_NLS_CONTINUE;  // one correction says nothing about the rate
-  if (norm <= tolerance) return SUN_NLS_SUCCESS;
-  session.last_correction_ = Eigen::Map<const system::Vector>(du, static_cast<Eigen::Index>(n));
-  const double rate = norm / before;
-  if (rate < 0.5 && norm * rate / (1 - rate) <= 0.1 * tolerance) return SUN_NLS_SUCCESS;
-  return iteration >= 3 && rate > 2 ? SUN_NLS_CONV_RECVR : SUN_NLS_CONTINUE;
+  switch (session.test_.judge(iteration, N_VGetArrayPointer(correction))) {
+    case Verdict::arrived:
+      return SUN_NLS_SUCCESS;
+    case Verdict::on_the_way:
+      return SUN_NLS_CONTINUE;
+    default:
+      return SUN_NLS_CONV_RECVR;
+  }
 }
 
-bool IdaSession::step() {
+bool IdaSession::step(double stop_time) {
   realtype reached = time_;
+  check(IDASetStopTime(ida_.get(), stop_time), "IDASetStopTime");
   const int flag = IDASolve(ida_.get(), options_.end_time, &reached, y_.get(), yp_.get(), IDA_ONE_STEP);
   if (exception_) std::rethrow_exception(exception_);
   time_ = reached;
@@ -189,33 +254,22 @@ std::size_t IdaSession::rejected_steps() const {
   long nonlinear = 0;
   IDAGetNumErrTestFails(ida_.get(), &failures);
   IDAGetNumNonlinSolvConvFails(ida_.get(), &nonlinear);
-  return static_cast<std::size_t>(failures + nonlinear);
+  return rejected_before_ + static_cast<std::size_t>(failures + nonlinear);
 }
 
 std::size_t IdaSession::newton_iterations() const {
   long iterations = 0;
   IDAGetNumNonlinSolvIters(ida_.get(), &iterations);
-  return static_cast<std::size_t>(iterations);
+  return iterations_before_ + static_cast<std::size_t>(iterations);
 }
 
 std::string IdaSession::failure() const {
   realtype h = 0;
   IDAGetCurrentStep(ida_.get(), &h);
-  std::string text = fmt::format(
-      "the step at t = {:.6g} s did not converge, even cut to {:.3g} s (order {}, {} steps cut "
-      "in all)",
-      time_, h, last_order(), rejected_steps());
-  std::vector<std::size_t> order(static_cast<std::size_t>(last_correction_.size()));
-  std::iota(order.begin(), order.end(), 0);
-  const std::size_t shown = std::min<std::size_t>(10, order.size());
-  const auto size = [&](std::size_t i) { return std::abs(last_correction_(static_cast<Eigen::Index>(i))); };
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(shown), order.end(),
-                    [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
-  for (std::size_t i = 0; i < shown; ++i) {
-    text += fmt::format("{} {} ({:.2g})", i == 0 ? "; largest last corrections:" : ",", model::unknown_name(order[i]),
-                        size(order[i]));
-  }
-  return text + "; try more [integrator] steps_per_cycle";
+  return fmt::format(
+      "the step at t = {:.6g} s did not converge, even cut to {:.3g} s (order {}, {} steps cut in all); largest last "
+      "corrections: {}; try more [integrator] steps_per_cycle",
+      time_, h, last_order(), rejected_steps(), test_.worst_unknowns(system_.model()));
 }
 
 }  // namespace strandyn::solver

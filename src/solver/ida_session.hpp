@@ -12,6 +12,7 @@
 #include <string>
 
 #include "chain_problem.hpp"
+#include "correction_test.hpp"
 #include "strandyn/solver/ida.hpp"
 
 namespace strandyn::solver {
@@ -42,12 +43,16 @@ using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Deleter>;
 /// An IDA integrator over a ChainProblem, at order 2 with steps up to a bound.
 class IdaSession {
  public:
-  IdaSession(system::System& system, const InitialMotion& initial, const IdaOptions& options);
+  IdaSession(system::System& system, const InitialMotion& initial, const IntegratorOptions& options);
   IdaSession(const IdaSession&) = delete;
   IdaSession& operator=(const IdaSession&) = delete;
 
-  /// Takes one step. False where IDA gave up; `failure()` then says why.
-  bool step();
+  /// Takes one step, not beyond `stop_time`. False where IDA gave up; `failure()` then says why.
+  bool step(double stop_time);
+  /// Forgets all older steps and begins anew from here.
+  void restart(const system::Vector& u, const system::Vector& v);
+  /// Between two steps. A session that reads must be new.
+  void archive(Archive& a);
 
   double time() const { return time_; }
   double last_step() const;
@@ -56,6 +61,7 @@ class IdaSession {
   std::size_t newton_iterations() const;
   const double* u() const { return N_VGetArrayPointer(y_.get()); }
   const double* v() const { return u() + problem_.unknowns(); }
+  const double* a() const { return N_VGetArrayPointer(yp_.get()) + problem_.unknowns(); }
   std::string failure() const;
 
  private:
@@ -63,14 +69,18 @@ class IdaSession {
   static int residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self);
   static int refresh(realtype t, realtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self, N_Vector,
                      N_Vector, N_Vector);
+  static int weights(N_Vector y, N_Vector weight, void* self);
   static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype);
   static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, realtype, N_Vector, void* self);
   void make_linear_solver();
+  void begin_anew();
+  void set_state(const system::Vector& u, const system::Vector& v);
   template <class F>
   int guarded(F&& work);
 
+  system::System& system_;
   ChainProblem problem_;
-  IdaOptions options_;
+  IntegratorOptions options_;
   Owned<SUNContext, FreeContext> context_;
   Owned<N_Vector, FreeVector> y_, yp_, id_;
   Owned<SUNMatrix, FreeMatrix> matrix_;
@@ -78,8 +88,10 @@ class IdaSession {
   Owned<SUNNonlinearSolver, FreeNonlinearSolver> nonlinear_;
   std::unique_ptr<void, FreeIda> ida_;
   double time_ = 0;
-  double previous_norm_ = 0;        // of the Newton correction before this one
-  system::Vector last_correction_;  // kept to name the worst unknowns of a failed step
+  system::Vector start_;             // initial u: what error control measures motion from
+  std::array<double, 4> largest_{};  // motion so far: translation, rotation, and their rates
+  CorrectionTest test_;
+  std::size_t rejected_before_ = 0, iterations_before_ = 0;  // until the last restart
   std::exception_ptr exception_;
 };
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "parts.hpp"
+#include "self_damping_parts.hpp"
 #include "strandyn/casefile/echo.hpp"
-#include "strandyn/solver/equilibrium.hpp"
 
 namespace strandyn::study {
 
@@ -40,7 +40,7 @@ json conductor_json(const Scene& scene) {
 json mesh_json(const casefile::BuiltSpan& built, const casefile::SectionNumbers& numbers) {
   double shortest = built.length;
   double longest = 0;
-  for (const beam::PlanarElement& element : built.model.elements) {
+  for (const beam::SpatialElement& element : built.model.elements) {
     shortest = std::min(shortest, element.span.norm());
     longest = std::max(longest, element.span.norm());
   }
@@ -80,7 +80,7 @@ json vibration_json(const Scene& scene, SpanAtRest& span) {
           {"until_steady", plan.until_steady},
           {"step_s", plan.step},
           {"steps_per_cycle", plan.steps_per_cycle()},
-          {"predicted_numerical_damping_ratio", plan.numerical_damping_ratio()},
+          {"predicted_numerical_damping_ratio", plan.numerical_damping_ratio},
           {"loop_length_m", casefile::loop_length(scene, span.built.tension, plan.frequency)},
           {"expected_cost",
            {{"steps", steps},
@@ -103,6 +103,10 @@ json describe_case(const Scene& scene) {
     casefile::check_buildable(scene);
     return out;
   }
+  if (type == AnalysisType::self_damping) {
+    describe_self_damping(scene, out);
+    return out;
+  }
   SpanAtRest span(scene);
   out["span"] = {{"length_m", span.built.length},
                  {"tension_N", span.built.tension},
@@ -112,7 +116,7 @@ json describe_case(const Scene& scene) {
                  {"wave_speed_m_per_s", casefile::wave_speed(scene, span.built.tension)}};
   out["mesh"] = mesh_json(span.built, n);
   if (type == AnalysisType::decay || type == AnalysisType::forced) {
-    solver::find_equilibrium(span.system, span.u, {});
+    span.apply_static_loads();
     out["vibration"] = vibration_json(scene, span);
   }
   return out;

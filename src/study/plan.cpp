@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "expected_damping.hpp"
+#include "integration.hpp"
 #include "parts.hpp"
 #include "strandyn/observe/deflection_points.hpp"
 
@@ -21,32 +23,85 @@ constexpr std::size_t most_cycles_until_steady = 5000;
 int highest_mode(const Scene& scene) {
   int highest = 0;
   for (const casefile::Load& load : scene.loads) highest = std::max(highest, load.frequency_mode.value_or(0));
+  for (const casefile::Motion& motion : scene.motions) highest = std::max(highest, motion.frequency_mode.value_or(0));
   if (scene.initial) highest = std::max(highest, scene.initial->velocity_mode);
   if (scene.analysis.type == AnalysisType::decay) highest = std::max(highest, scene.analysis.decay.mode);
   return highest;
 }
 
-/// Sets the loads' frequencies and returns the highest of them [Hz].
-double load_frequencies(const Scene& scene, SpanAtRest& span, const std::vector<solver::Mode>& modes) {
+/// Sets the frequencies of loads and motions and returns the highest of them [Hz].
+double set_frequencies(const Scene& scene, SpanAtRest& span, const std::vector<solver::Mode>& modes) {
   double highest = 0;
+  const auto frequency_of = [&](const auto& source) {
+    const double frequency = source.frequency_mode
+                                 ? modes[static_cast<std::size_t>(*source.frequency_mode) - 1].frequency
+                                 : *source.frequency;
+    highest = std::max(highest, frequency);
+    return frequency;
+  };
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const casefile::Load& load = scene.loads[i];
     if (load.type != casefile::LoadType::harmonic_force) continue;
-    const double frequency =
-        load.frequency_mode ? modes[static_cast<std::size_t>(*load.frequency_mode) - 1].frequency : *load.frequency;
-    casefile::set_load_frequency(span.built, i, frequency);
-    highest = std::max(highest, frequency);
+    casefile::set_load_frequency(span.built, i, frequency_of(load));
+  }
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
+    if (scene.motions[i].type != casefile::MotionType::harmonic_motion) continue;
+    casefile::set_motion_frequency(span.built, i, frequency_of(scene.motions[i]));
   }
   return highest;
 }
 
+/// The lowest physical damping that the run will see: that of its smallest amplitude.
+double expected_damping(const Scene& scene, SpanAtRest& span, const system::Vector& shape, const VibrationPlan& plan) {
+  if (shape.size() == 0) return 0;
+  TrialCycles trial(span, shape, plan.frequency);
+  const double velocity = observe::DeflectionPoints(span.built.model, 0).largest(plan.velocity.data());
+  double amplitude = velocity / (2 * std::numbers::pi * plan.frequency);
+  if (scene.analysis.type == AnalysisType::decay) {
+    const double late = trial.damping_ratio(trial.decayed_amplitude(amplitude, plan.cycles));
+    return late > 0 ? late : trial.damping_ratio(amplitude);
+  }
+  for (const model::Load& load : span.built.model.loads) {
+    if (!std::holds_alternative<model::Harmonic>(load.history)) continue;
+    const double drive = load.force.dot(span.built.model.displacement(shape.data(), load.node)) / load.force.norm();
+    amplitude = std::max(amplitude, trial.steady_amplitude(load.force.norm(), drive));
+  }
+  return trial.damping_ratio(amplitude);
+}
+
+void choose_step(const Scene& scene, SpanAtRest& span, const system::Vector& shape, VibrationPlan& plan) {
+  using casefile::StepRule;
+  const casefile::Integrator& integrator = scene.integrator;
+  if (integrator.step == StepRule::automatic) {
+    // Half of one percent, or of the bound: the estimate is one of a trial cycle.
+    plan.aimed_share = std::min(0.01, integrator.max_numerical_share.value_or(casefile::default_numerical_share)) / 2;
+    plan.expected_damping_ratio = expected_damping(scene, span, shape, plan);
+    const int steps = choose_steps_per_cycle(
+        integrator,
+        {.frequency = plan.frequency, .damping_ratio = *plan.expected_damping_ratio, .share = plan.aimed_share});
+    plan.step = 1 / (plan.frequency * steps);
+  } else if (integrator.step == StepRule::adaptive) {
+    constexpr double least_per_cycle = 20;
+    plan.step = 1 / (plan.frequency * least_per_cycle);
+  } else {
+    plan.step = integrator.step_size.value_or(1 / (plan.frequency * integrator.steps_per_cycle.value_or(200)));
+  }
+  plan.numerical_damping_ratio = numerical_damping_ratio(integrator, plan.frequency, plan.step);
+}
+
 }  // namespace
 
-double VibrationPlan::numerical_damping_ratio() const {
-  return std::pow(2 * std::numbers::pi * frequency * step, 3) / 4;
+solver::IntegratorOptions options_of(const Scene& scene, const VibrationPlan& plan, double end_time) {
+  const bool adaptive = scene.integrator.step == casefile::StepRule::adaptive;
+  return {.step = plan.step,
+          .end_time = end_time,
+          .newton_tolerance = scene.integrator.newton_tolerance,
+          .relative_error = adaptive ? scene.integrator.rtol : 0,
+          .stop = {}};
 }
 
 VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
+  set_proportional_damping(scene, span);
   std::vector<solver::Mode> modes;
   if (const int count = highest_mode(scene)) {
     modes = solver::transverse_modes(span.system, span.u, static_cast<std::size_t>(count));
@@ -60,7 +115,7 @@ VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
 
   VibrationPlan plan;
   plan.velocity = system::Vector::Zero(span.u.size());
-  plan.frequency = load_frequencies(scene, span, modes);
+  plan.frequency = set_frequencies(scene, span, modes);
   if (scene.initial) {
     const solver::Mode& m = mode(scene.initial->velocity_mode);
     plan.velocity = scene.initial->antinode_velocity * unit_antinode(m);
@@ -75,17 +130,18 @@ VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
     if (decay.antinode_amplitude) {
       plan.velocity = *decay.antinode_amplitude * 2 * std::numbers::pi * m.frequency * unit_antinode(m);
     }
-  } else {
+  } else if (scene.analysis.type == AnalysisType::forced) {
     const casefile::ForcedAnalysis& forced = scene.analysis.forced;
     plan.until_steady = !forced.cycles.has_value();
     plan.cycles = forced.cycles ? static_cast<std::size_t>(*forced.cycles) : most_cycles_until_steady;
   }
-  if (plan.frequency == 0) {
+  if (plan.frequency == 0 && scene.analysis.type != AnalysisType::transient) {
     refuse(scene.source, "analysis.type", "nothing names a frequency, so there is no cycle to count",
            "give a [[load]] of type \"harmonic-force\", or [initial] velocity_mode");
   }
-  const casefile::Integrator& integrator = scene.integrator;
-  plan.step = integrator.step_size.value_or(1 / (plan.frequency * integrator.steps_per_cycle.value_or(200)));
+  const solver::Mode* shaken = modes.empty() ? nullptr : &modes.back();
+  if (scene.analysis.type == AnalysisType::decay) shaken = &mode(scene.analysis.decay.mode);
+  choose_step(scene, span, shaken ? unit_antinode(*shaken) : system::Vector(), plan);
   return plan;
 }
 

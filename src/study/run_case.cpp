@@ -30,30 +30,49 @@ void analyse(const casefile::Scene& scene, const Hooks& hooks, CaseResult& resul
     case AnalysisType::axial_torsion:
       return run_axial_torsion(scene, result);
     case AnalysisType::static_:
-      return run_static(scene, result);
+      return run_static(scene, hooks, result);
     case AnalysisType::modes:
       return run_modes(scene, result);
     case AnalysisType::decay:
     case AnalysisType::forced:
       return run_vibration(scene, hooks, result);
+    case AnalysisType::transient:
+      return run_transient(scene, hooks, result);
+    case AnalysisType::self_damping:
+      return run_self_damping(scene, hooks, result);
   }
 }
 
 /// The share of the integrator in what is lost, against the bound that the case sets.
 void check_numerical_share(const casefile::Scene& scene, CaseResult& result) {
-  const auto& bound = scene.integrator.max_numerical_share;
-  if (!bound || result.exit_code != ExitCode::done || !result.summary.contains("steady")) return;
+  const auto& asked = scene.integrator.max_numerical_share;
+  const bool applies = asked || (result.summary.contains("cycles") &&
+                                 result.summary["cycles"].size() >= casefile::cycles_of_default_share);
+  if (!applies) return;
+  const double bound = asked.value_or(casefile::default_numerical_share);
+  if (result.exit_code != ExitCode::done) return;
+  if (result.summary.contains("energy") && result.summary["energy"].contains("numerical_share")) {
+    const double share = result.summary["energy"]["numerical_share"];
+    if (share <= bound) return;
+    result.exit_code = ExitCode::not_converged;
+    result.message = fmt::format(
+        "the integrator's own damping is {:.3g} of the physical dissipation, above the case's bound "
+        "integrator.max_numerical_share = {:.3g}; give a shorter integrator.step_s",
+        share, bound);
+    return;
+  }
+  if (!result.summary.contains("steady")) return;
   const json& steady = result.summary["steady"];
   if (!steady.contains("numerical_share")) return;
   const double share = steady["numerical_share"];
-  if (share <= *bound) return;
+  if (share <= bound) return;
   // Damping of the second-order formula goes with the third power of the step.
-  const double steps = steady["steps_per_cycle"].get<double>() * std::cbrt(share / *bound);
+  const double steps = steady["steps_per_cycle"].get<double>() * std::cbrt(share / bound);
   result.exit_code = ExitCode::not_converged;
   result.message = fmt::format(
       "the integrator's own damping is {:.3g} of the physical dissipation over the last cycles, above the case's bound "
       "integrator.max_numerical_share = {:.3g}; about steps_per_cycle = {:.0f} would hold it",
-      share, *bound, std::ceil(steps / 10) * 10);
+      share, bound, std::ceil(steps / 10) * 10);
 }
 
 /// Is the case run as it was written? What [accept] promises holds for that; an override of [accept] itself is meant.

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "checkpoint.hpp"
+#include "integration.hpp"
 #include "parts.hpp"
 #include "strandyn/analysis/steady.hpp"
 #include "strandyn/observe/cycles.hpp"
-#include "strandyn/solver/equilibrium.hpp"
-#include "strandyn/solver/ida.hpp"
 
 namespace strandyn::study {
 
@@ -26,6 +27,10 @@ json cycle_json(const Cycle& c) {
           {"elastic_J", c.elastic},
           {"friction_dissipation_J", c.friction},
           {"viscous_dissipation_J", c.viscous},
+          {"drag_J", c.viscous_parts.drag},
+          {"dampers_J", c.viscous_parts.dampers},
+          {"rayleigh_J", c.viscous_parts.rayleigh},
+          {"modal_J", c.viscous_parts.modal},
           {"numerical_dissipation_J", c.numerical},
           {"quadrature_error_J", c.quadrature_error},
           {"internal_work_J", c.internal_work},
@@ -73,7 +78,13 @@ void add_steady(const Scene& scene, const VibrationPlan& plan, const std::vector
   steady["damping_ratio"] = s.damping_ratio;
   if (s.numerical_share) steady["numerical_share"] = *s.numerical_share;
   steady["steps_per_cycle"] = plan.steps_per_cycle();
-  steady["predicted_numerical_damping_ratio"] = plan.numerical_damping_ratio();
+  steady["predicted_numerical_damping_ratio"] = plan.numerical_damping_ratio;
+  const double energy = steady["kinetic_J"].get<double>() + steady["elastic_J"].get<double>();
+  if (energy > 0) {
+    steady["measured_numerical_damping_ratio"] =
+        steady["numerical_dissipation_J"].get<double>() / (4 * std::numbers::pi * energy);
+  }
+  if (plan.expected_damping_ratio) steady["expected_damping_ratio"] = *plan.expected_damping_ratio;
 }
 
 void add_profile(const observe::Profile& profile, CaseResult& result) {
@@ -107,6 +118,7 @@ class ProgressReport final : public solver::Observer {
   ProgressReport(const VibrationPlan& plan, const Hooks& hooks, const observe::CycleObserver& cycles)
       : plan_(plan), hooks_(hooks), cycles_(cycles) {}
   void begin(const system::System&, const solver::StepRecord&) override {}
+  void archive(Archive&) override {}
   void step(const system::System&, const solver::StepRecord& record) override {
     if (!hooks_.progress) return;
     const double end = static_cast<double>(plan_.cycles) / plan_.frequency;
@@ -125,14 +137,16 @@ class ProgressReport final : public solver::Observer {
 void warn_of_coarse_mesh(const SpanAtRest& span, double loop_length, CaseResult& result) {
   constexpr double least_per_loop = 4;
   double longest = 0;
-  for (const beam::PlanarElement& element : span.built.model.elements) longest = std::max(longest, element.length);
+  for (const beam::SpatialElement& element : span.built.model.elements) longest = std::max(longest, element.length);
   if (longest * least_per_loop <= loop_length) return;
   result.summary["warnings"].push_back(fmt::format(
       "the longest element, {:.3g} m, is more than 1/4 of a loop ({:.3g} m): give more [span] elements, or \"auto\"",
       longest, loop_length));
 }
 
-void add_integration(const solver::IdaSummary& run, const system::System& system, CaseResult& result) {
+}  // namespace
+
+void add_integration(const solver::IntegratorSummary& run, const system::System& system, CaseResult& result) {
   json& cost = result.summary["cost"];
   cost["steps"] = run.steps;
   cost["rejected_steps"] = run.rejected_steps;
@@ -145,11 +159,11 @@ void add_integration(const solver::IdaSummary& run, const system::System& system
   }
 }
 
-}  // namespace
-
 void run_vibration(const Scene& scene, const Hooks& hooks, CaseResult& result) {
+  CheckpointFile checkpoint(scene, hooks);
   SpanAtRest span(scene);
-  solver::find_equilibrium(span.system, span.u, {});
+  add_rest(span, result);
+  span.apply_static_loads();
   const VibrationPlan plan = plan_vibration(scene, span);
 
   const double loop_length = casefile::loop_length(scene, span.built.tension, plan.frequency);
@@ -161,24 +175,24 @@ void run_vibration(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   bool steady = false;
   std::size_t judged = 0;
   const auto stop = [&] {
-    interrupted = hooks.stop && hooks.stop();
     if (plan.until_steady && cycles.cycles().size() > judged) {
       judged = cycles.cycles().size();
       steady = is_steady(cycles.cycles());
     }
+    interrupted = !steady && hooks.stop && hooks.stop();  // a steady run has come to its end
     return interrupted || steady;
   };
-  const solver::IdaSummary run = solver::integrate_ida(span.system, {.u = span.u, .v = plan.velocity},
-                                                       {.step = plan.step,
-                                                        .end_time = static_cast<double>(plan.cycles) / plan.frequency,
-                                                        .newton_tolerance = scene.integrator.newton_tolerance,
-                                                        .stop = stop},
-                                                       observers);
+  solver::IntegratorOptions options = options_of(scene, plan, static_cast<double>(plan.cycles) / plan.frequency);
+  options.stop = stop;
+  options.checkpoints = checkpoint.checkpoints([&] { return interrupted; });
+  const solver::IntegratorSummary run =
+      integrate(scene.integrator, span.system, {.u = span.u, .v = plan.velocity}, options, observers);
 
   add_integration(run, span.system, result);
   add_cycles(cycles.cycles(), result);
   add_steady(scene, plan, cycles.cycles(), result);
   add_profile(cycles.profile(span.system), result);
+  result.ended_early = interrupted || run.ending == solver::Ending::failed;
   if (run.ending == solver::Ending::failed) {
     result.exit_code = ExitCode::not_converged;
     result.message = run.failure;

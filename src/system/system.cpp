@@ -2,228 +2,272 @@
 
 #include <algorithm>
 
+#include "chain.hpp"
+#include "strandyn/core/error.hpp"
+
 namespace strandyn::system {
 
-using section::Dimension;
-using enum section::Component;
 using beam::gauss_points;
-using beam::PlanarMatrix;
-using beam::PlanarVector;
-using model::unknowns_per_node;
+using model::Unknown;
 
 namespace {
 
-/// The six unknowns of element e, which joins nodes e and e + 1.
-Eigen::Map<const PlanarVector> of_element(const double* all, std::size_t e) {
-  return Eigen::Map<const PlanarVector>(all + e * unknowns_per_node);
-}
-
-Eigen::Map<PlanarVector> of_element(double* all, std::size_t e) {
-  return Eigen::Map<PlanarVector>(all + e * unknowns_per_node);
-}
-
-beam::PlanarMotion motion_of_element(const Motion& m, std::size_t e) {
-  return {.q = of_element(m.u, e), .v = of_element(m.v, e), .a = of_element(m.a, e)};
+std::unique_ptr<Chain> make_chain(const model::Model& model) {
+  if (model::is_transverse(model.freedom)) return make_transverse_chain(model);
+  return model.freedom == model::Freedom::planar ? make_planar_chain(model) : make_spatial_chain(model);
 }
 
 }  // namespace
 
 System::System(const model::Model& model)
     : model_(model),
+      chain_(make_chain(model)),
       held_(model.unknowns(), false),
-      mass_(model.unknowns(), true),
-      lumped_(Vector::Zero(static_cast<Eigen::Index>(model.unknowns()))),
-      drag_(lumped_),
+      mass_(model.unknowns(), false),
+      drag_(Vector::Zero(static_cast<Eigen::Index>(model.unknowns()))),
       energy_(model.elements.size() * gauss_points),
-      committed_(Dimension::planar, model.elements.size() * gauss_points),
-      kinematics_(model.elements.size()),
+      committed_(chain_->dimension(), model.elements.size() * gauss_points),
       strains_(committed_),
       stresses_(committed_),
-      tangents_(Dimension::planar, model.elements.size() * gauss_points) {
+      tangents_(chain_->dimension(), model.elements.size() * gauss_points),
+      damping_force_(drag_) {
+  const auto unknowns_of_node = model::unknowns_of(model.freedom);
   for (const model::Support& support : model.supports) {
-    for (std::size_t i = 0; i < unknowns_per_node; ++i) {
-      if (support.fixed[i]) held_[support.node * unknowns_per_node + i] = true;
+    for (std::size_t i = 0; i < unknowns_of_node.size(); ++i) {
+      if (support.fixed[static_cast<std::size_t>(unknowns_of_node[i])]) {
+        held_[support.node * unknowns_of_node.size() + i] = true;
+      }
     }
+  }
+  for (const model::PrescribedMotion& motion : model.motions) {
+    const auto i = model.index(motion.node, motion.unknown);
+    if (!i) throw ComputationError("a motion was prescribed to an unknown that the chain does not have");
+    moved_.push_back(*i);
+    held_[*i] = true;
   }
   for (std::size_t e = 0; e < model.elements.size(); ++e) {
-    of_element(lumped_.data(), e) += beam::lumped_mass(model.elements[e], model.inertia);
-    for (std::size_t end : {e, e + 1}) {
-      const double share = model.drag * model.elements[e].length / 2;
-      for (std::size_t i = 0; i < 2; ++i) drag_(static_cast<Eigen::Index>(end * unknowns_per_node + i)) += share;
+    const double share = model.drag * model.elements[e].length / 2;
+    for (std::size_t node : {e, e + 1}) {
+      for (Unknown unknown : {Unknown::x, Unknown::y, Unknown::z}) {
+        if (const auto i = model.index(node, unknown)) drag_(static_cast<Eigen::Index>(*i)) += share;
+      }
     }
   }
-  const bool consistent = model.mass_matrix == model::MassMatrix::consistent;
+  for (std::size_t i = 0; i < unknowns(); ++i) mass_[i] = !held_[i] && chain_->has_mass(i);
+}
+
+System::~System() = default;
+
+void System::held_values(LoadState at, double* u) const {
   for (std::size_t i = 0; i < unknowns(); ++i) {
-    mass_[i] = !held_[i] && (consistent || lumped_(static_cast<Eigen::Index>(i)) > 0);
+    if (held_[i]) u[i] = 0;
+  }
+  for (std::size_t m = 0; m < moved_.size(); ++m) {
+    u[moved_[m]] += at.part * model_.motions[m].amplitude * model::evaluate(model_.motions[m].history, at.time);
+  }
+}
+
+void System::held_rates(double t, double* v) const {
+  for (std::size_t i = 0; i < unknowns(); ++i) {
+    if (held_[i]) v[i] = 0;
+  }
+  for (std::size_t m = 0; m < moved_.size(); ++m) {
+    v[moved_[m]] += model_.motions[m].amplitude * model::rate(model_.motions[m].history, t);
   }
 }
 
 void System::begin(const ConstVectorRef& u) {
-  find_strains(u.data());
+  chain_->find_strains(u.data(), strains_);
   history_ = model_.law->start(strains_);
   commit(u.data());
 }
 
-void System::find_strains(const double* u) const {
-  const Stopwatch::Lap lap(stopwatch_, Part::element);
-  for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-    kinematics_[e] = beam::kinematics(model_.elements[e], of_element(u, e));
-    for (std::size_t g = 0; g < gauss_points; ++g) {
-      strains_[axial][e * gauss_points + g] = kinematics_[e].eps;
-      strains_[bending2][e * gauss_points + g] = kinematics_[e].chi[g];
-    }
-  }
-}
-
-void System::assemble(double* f, Matrix* K) const {
-  const Stopwatch::Lap lap(stopwatch_, Part::element);
-  std::fill(f, f + unknowns(), 0.0);
-  if (K) K->set_zero();
-  for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-    beam::PlanarResultants r;
-    for (std::size_t g = 0; g < gauss_points; ++g) {
-      r.N[g] = stresses_[axial][e * gauss_points + g];
-      r.M[g] = stresses_[bending2][e * gauss_points + g];
-    }
-    of_element(f, e) += beam::internal_force(model_.elements[e], kinematics_[e], r);
-    if (!K) continue;
-    beam::PlanarSectionTangent t;
-    for (std::size_t g = 0; g < gauss_points; ++g) {
-      const std::size_t point = e * gauss_points + g;
-      t.N_eps[g] = tangents_(axial, axial)[point];
-      t.N_chi[g] = tangents_(axial, bending2)[point];
-      t.M_eps[g] = tangents_(bending2, axial)[point];
-      t.M_chi[g] = tangents_(bending2, bending2)[point];
-    }
-    K->add_element(e, beam::tangent(model_.elements[e], kinematics_[e], r, t));
-  }
-}
-
 void System::internal_force(const double* u, double* f) const {
   ++residual_evaluations_;
-  find_strains(u);
+  std::fill(f, f + unknowns(), 0.0);
+  {
+    const Stopwatch::Lap lap(stopwatch_, Part::element);
+    chain_->find_strains(u, strains_);
+  }
   {
     const Stopwatch::Lap lap(stopwatch_, Part::section);
     effort_ += model_.law->respond(history_, strains_, stresses_, nullptr);
   }
-  assemble(f, nullptr);
+  const Stopwatch::Lap lap(stopwatch_, Part::element);
+  chain_->add_internal_force(stresses_, f);
+  add_springs(u, f);
 }
 
 void System::internal_force(const double* u, double* f, Matrix& K) const {
   ++jacobian_evaluations_;
-  find_strains(u);
+  std::fill(f, f + unknowns(), 0.0);
+  {
+    const Stopwatch::Lap lap(stopwatch_, Part::element);
+    chain_->find_strains(u, strains_);
+  }
   {
     const Stopwatch::Lap lap(stopwatch_, Part::section);
     effort_ += model_.law->respond(history_, strains_, stresses_, &tangents_);
   }
-  assemble(f, &K);
+  const Stopwatch::Lap lap(stopwatch_, Part::element);
+  K.set_zero();
+  chain_->add_internal_force(stresses_, f);
+  chain_->add_stiffness(stresses_, tangents_, K);
+  add_springs(u, f);
+  for (const model::Body& body : model_.bodies) add_along(body, body.stiffness, K);
 }
 
-void System::external_force(double t, double* f) const {
+void System::strains(const double* u, section::Field& strains) const {
+  const Stopwatch::Lap lap(stopwatch_, Part::element);
+  chain_->find_strains(u, strains);
+}
+
+void System::internal_force_of(const section::Field& stresses, const double* u, double* f) const {
+  const Stopwatch::Lap lap(stopwatch_, Part::element);
+  std::fill(f, f + unknowns(), 0.0);
+  chain_->find_strains(u, strains_);
+  chain_->add_internal_force(stresses, f);
+  add_springs(u, f);
+}
+
+void System::stiffness_of(const section::Field& stresses, const section::TangentField& tangents, const double* u,
+                          Matrix& K) const {
+  const Stopwatch::Lap lap(stopwatch_, Part::element);
+  chain_->find_strains(u, strains_);
+  K.set_zero();
+  chain_->add_stiffness(stresses, tangents, K);
+  for (const model::Body& body : model_.bodies) add_along(body, body.stiffness, K);
+}
+
+void System::add_springs(const double* u, double* f) const {
+  for (const model::Body& body : model_.bodies) {
+    const double stretch = body.direction.dot(model_.displacement(u, body.node));
+    add_at_node(body.node, body.stiffness * stretch * body.direction, f);
+  }
+}
+
+void System::add_at_node(std::size_t node, const Eigen::Vector3d& force, double* f) const {
+  for (Unknown unknown : {Unknown::x, Unknown::y, Unknown::z}) {
+    if (const auto i = model_.index(node, unknown)) f[*i] += force(static_cast<Eigen::Index>(unknown));
+  }
+}
+
+void System::add_along(const model::Body& body, double factor, Matrix& K) const {
+  if (factor == 0) return;
+  for (Unknown row : {Unknown::x, Unknown::y, Unknown::z}) {
+    for (Unknown column : {Unknown::x, Unknown::y, Unknown::z}) {
+      const auto i = model_.index(body.node, row);
+      const auto j = model_.index(body.node, column);
+      if (!i || !j) continue;
+      const double product =
+          body.direction(static_cast<Eigen::Index>(row)) * body.direction(static_cast<Eigen::Index>(column));
+      K.add_at_node(*i, *j, factor * product);
+    }
+  }
+}
+
+void System::external_force(LoadState at, const double* u, double* f) const {
   std::fill(f, f + unknowns(), 0.0);
   for (const model::Load& load : model_.loads) {
-    const double factor = model::evaluate(load.history, t);
-    for (std::size_t i = 0; i < unknowns_per_node; ++i) {
-      f[load.node * unknowns_per_node + i] += factor * load.amplitude(static_cast<Eigen::Index>(i));
-    }
+    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time);
+    add_at_node(load.node, factor * load.force, f);
+    if (!load.moment.isZero(0)) chain_->add_moment(load.node, factor * load.moment, u, f);
+  }
+}
+
+void System::subtract_external_tangent(LoadState at, const double* u, Matrix& K) const {
+  for (const model::Load& load : model_.loads) {
+    if (load.moment.isZero(0)) continue;
+    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time);
+    chain_->subtract_moment_tangent(load.node, factor * load.moment, u, K);
   }
 }
 
 void System::add_inertia_and_drag(const Motion& m, double* f) const {
   const Stopwatch::Lap lap(stopwatch_, Part::inertia);
-  if (model_.mass_matrix == model::MassMatrix::lumped) {
-    for (std::size_t i = 0; i < unknowns(); ++i) f[i] += lumped_(static_cast<Eigen::Index>(i)) * m.a[i];
-  } else {
-    for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-      of_element(f, e) += beam::consistent_inertia_force(model_.elements[e], model_.inertia, motion_of_element(m, e));
-    }
-  }
+  chain_->add_inertia_force(m, f);
   if (model_.drag > 0) {
     for (std::size_t i = 0; i < unknowns(); ++i) f[i] += drag_(static_cast<Eigen::Index>(i)) * m.v[i];
+  }
+  for (const model::Body& body : model_.bodies) {
+    const double rate = body.direction.dot(model_.displacement(m.v, body.node));
+    add_at_node(body.node, body.damping * rate * body.direction, f);
+  }
+  const auto n = static_cast<Eigen::Index>(unknowns());
+  if (damping_.rayleigh) {
+    damping_.rayleigh->multiply(m.v, damping_force_.data());
+    Eigen::Map<Vector>(f, n) += damping_force_;
+  }
+  for (const ProportionalDamping::Mode& mode : damping_.modes) {
+    Eigen::Map<Vector>(f, n) += mode.factor * mode.momentum.dot(Eigen::Map<const Vector>(m.v, n)) * mode.momentum;
   }
 }
 
 void System::add_inertia_and_drag(const Motion& m, InertiaFactors factors, Matrix& K) const {
   const Stopwatch::Lap lap(stopwatch_, Part::inertia);
-  const bool consistent = model_.mass_matrix == model::MassMatrix::consistent;
-  for (std::size_t node = 0; node < model_.nodes.size(); ++node) {
-    for (std::size_t i = 0; i < unknowns_per_node; ++i) {
-      const auto at = static_cast<Eigen::Index>(node * unknowns_per_node + i);
-      const auto row = static_cast<Eigen::Index>(i);
-      K.diagonal(node)(row, row) +=
-          factors.velocity * drag_(at) + (consistent ? 0.0 : factors.acceleration * lumped_(at));
+  chain_->add_inertia_tangent(m, factors, K);
+  if (model_.drag > 0 && factors.velocity != 0) {
+    for (std::size_t i = 0; i < unknowns(); ++i) {
+      K.add_at_node(i, i, factors.velocity * drag_(static_cast<Eigen::Index>(i)));
     }
   }
-  if (!consistent) return;
-  for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-    const auto t = beam::consistent_inertia_tangent(model_.elements[e], model_.inertia, motion_of_element(m, e));
-    const PlanarMatrix sum =
-        factors.acceleration * t.mass + factors.velocity * t.velocity + factors.position * t.position;
-    K.add_element(e, sum);
-  }
+  for (const model::Body& body : model_.bodies) add_along(body, factors.velocity * body.damping, K);
+  if (damping_.rayleigh && factors.velocity != 0) K.add(factors.velocity, *damping_.rayleigh);
 }
 
 void System::hold(Matrix& K) const {
   for (std::size_t i = 0; i < unknowns(); ++i) {
-    if (held_[i]) K.pin(i / unknowns_per_node, static_cast<int>(i % unknowns_per_node));
+    if (held_[i]) K.pin_row(i);
   }
 }
 
 void System::mass_matrix(const double* u, Matrix& M) const {
   M.set_zero();
-  for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-    if (model_.mass_matrix == model::MassMatrix::lumped) {
-      const PlanarMatrix m = beam::lumped_mass(model_.elements[e], model_.inertia).asDiagonal();
-      M.add_element(e, m);
-    } else {
-      M.add_element(e, beam::consistent_mass(model_.elements[e], model_.inertia, of_element(u, e)));
-    }
-  }
+  chain_->add_mass(u, M);
 }
 
 double System::kinetic_energy(const double* u, const double* v) const {
-  double sum = 0;
-  if (model_.mass_matrix == model::MassMatrix::lumped) {
-    for (std::size_t i = 0; i < unknowns(); ++i) sum += lumped_(static_cast<Eigen::Index>(i)) * v[i] * v[i];
-    return sum / 2;
-  }
-  for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-    const PlanarVector rate = of_element(v, e);
-    sum += rate.dot(beam::consistent_mass(model_.elements[e], model_.inertia, of_element(u, e)) * rate);
-  }
-  return sum / 2;
+  return chain_->kinetic_energy(u, v);
 }
 
-double System::drag_power(const double* v) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < unknowns(); ++i) sum += drag_(static_cast<Eigen::Index>(i)) * v[i] * v[i];
-  return sum;
+ViscousLoss System::viscous_power(const double* v) const {
+  ViscousLoss power;
+  if (model_.drag > 0) {
+    for (std::size_t i = 0; i < unknowns(); ++i) power.drag += drag_(static_cast<Eigen::Index>(i)) * v[i] * v[i];
+  }
+  for (const model::Body& body : model_.bodies) {
+    const double rate = body.direction.dot(model_.displacement(v, body.node));
+    power.dampers += body.damping * rate * rate;
+  }
+  const Eigen::Map<const Vector> rates(v, static_cast<Eigen::Index>(unknowns()));
+  if (damping_.rayleigh) {
+    damping_.rayleigh->multiply(v, damping_force_.data());
+    power.rayleigh = rates.dot(damping_force_);
+  }
+  for (const ProportionalDamping::Mode& mode : damping_.modes) {
+    const double rate = mode.momentum.dot(rates);
+    power.modal += mode.factor * rate * rate;
+  }
+  return power;
 }
 
 void System::accelerations(const double* u, const double* v, const double* force, double* a) const {
-  if (model_.mass_matrix == model::MassMatrix::lumped) {
-    for (std::size_t i = 0; i < unknowns(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
-      a[i] = mass_[i] ? (force[i] - drag_(at) * v[i]) / lumped_(at) : 0.0;
-    }
-    return;
-  }
-  const Vector zero = Vector::Zero(static_cast<Eigen::Index>(unknowns()));
+  const Vector zero = make_vector();
   Vector velocity_terms = zero;
   add_inertia_and_drag({.u = u, .v = v, .a = zero.data()}, velocity_terms.data());
-  Matrix M(model_.nodes.size());
+  Matrix M = make_matrix();
   mass_matrix(u, M);
-  hold(M);
   for (std::size_t i = 0; i < unknowns(); ++i) {
-    a[i] = held_[i] ? 0.0 : force[i] - velocity_terms(static_cast<Eigen::Index>(i));
+    if (!mass_[i]) M.pin(i);
+    a[i] = mass_[i] ? force[i] - velocity_terms(static_cast<Eigen::Index>(i)) : 0.0;
   }
-  math::BlockTridiagonalLU<static_cast<int>(unknowns_per_node)> factors;
-  factors.factorize(M);
+  math::ChainFactors factors;
+  if (!factors.factorize(M)) throw ComputationError("the mass matrix is singular: an unknown is without inertia");
   factors.solve(a);
 }
 
 Accepted System::commit(const double* u) {
-  find_strains(u);
+  chain_->find_strains(u, strains_);
   const Stopwatch::Lap lap(stopwatch_, Part::commit);
   effort_ += model_.law->commit(history_, strains_, energy_);
   committed_ = strains_;
@@ -234,7 +278,22 @@ Accepted System::commit(const double* u) {
     sum.friction += length * energy_.dissipated[point];
     sum.quadrature_error += length * energy_.quadrature_error[point];
   }
+  for (const model::Body& body : model_.bodies) {
+    const double stretch = body.direction.dot(model_.displacement(u, body.node));
+    sum.elastic += body.stiffness * stretch * stretch / 2;
+  }
   return sum;
+}
+
+void System::archive(Archive& a) {
+  a.same(history_.data.size(), "size of the sections' history");
+  a(history_.data, energy_.stored, energy_.dissipated, energy_.quadrature_error);
+  for (std::size_t c = 0; c < section::component_count; ++c) a(committed_[section::Component{c}]);
+  a(effort_, residual_evaluations_, jacobian_evaluations_);
+}
+
+bool System::shorten_rotations(double* u, double* v) const {
+  return chain_->shorten_rotations(held_, u, v);
 }
 
 }  // namespace strandyn::system

@@ -7,9 +7,10 @@
 using namespace strandyn;
 using nlohmann::ordered_json;
 using strandyn::test::beam;
+using strandyn::test::bend;
 using strandyn::test::lab_span;
+using strandyn::test::pushed;
 using strandyn::test::read;
-using strandyn::test::three_layers;
 
 namespace {
 
@@ -59,23 +60,26 @@ TEST_CASE("the case as run shows the layers of the conductor as resolved") {
   CHECK(bare["conductor"]["layer"][4]["residual_force_N_per_mm"] == 0);
 }
 
+TEST_CASE("the case as run shows motions and bodies in their units, with the direction that they took") {
+  const ordered_json echo = casefile::case_as_run(read(bend));
+  CHECK(echo["motion"][0].dump() == R"({"type":"static-motion","at":"left","rotation_deg":2.5,"direction":[-1,0,0]})");
+  CHECK(echo["motion"][1].dump() ==
+        R"({"type":"harmonic-motion","at_m":0.5,"amplitude_mm":3,"frequency":"mode 2","direction":[0,1,0]})");
+  CHECK(echo["motion"][2]["history"].dump() == "[[0,0],[1.5,2.5]]");
+  CHECK(echo["body"][0]["direction"].dump() == "[0.6,0,0.8]");
+  CHECK(echo["static"].dump() == R"({"control":"arc-length","arc_step_mm":0.7,"max_load_factor":1})");
+  CHECK(echo["span"]["right"] == "guided");
+  const ordered_json other = casefile::case_as_run(read(pushed));
+  CHECK(other["static"].dump() == R"({"control":"displacement","displacement_mm":-3})");
+  CHECK(other["analysis"]["slip_map_loads_N"].dump() == "[10,20]");
+  const ordered_json modes = casefile::case_as_run(read(beam, {"analysis.near_Hz=24", "section.rotary_kg_m=1e-4"}));
+  CHECK(modes["analysis"]["near_Hz"].dump() == "24");
+  CHECK(modes["section"]["rotary_kg_m"].dump() == "0.0001");
+  CHECK_FALSE(modes["section"].contains("polar_kg_m"));
+}
+
 TEST_CASE("the case as run, read again, is the same case") {
-  const std::string rich = three_layers + R"([damping]
-modal = [[1, 0.01], [2, 0.02]]
-rayleigh = { mass = 0.1, stiffness = 1e-5 }
-[span]
-nodes_m = [[0, 0, 0], [1, 2, 3]]
-dimension = "spatial"
-[[load]]
-type = "table"
-per_length = true
-moment = true
-history = [[0, 0], [1.5, 2.5]]
-[accept]
-"fixed_end[0].k1_N" = { expected = 1.25, absolute = 0.5, reason = "r", source = "s" }
-"status" = { expected = "done", reason = "r" }
-)";
-  for (const std::string& text : {lab_span, beam, rich}) {
+  for (const std::string& text : {lab_span, beam, bend, pushed}) {
     ordered_json echo = casefile::case_as_run(read(text));
     if (echo.contains("conductor")) echo["conductor"].erase("catalogue");  // its layers stand there too
     CAPTURE(case_of(echo));

@@ -12,14 +12,11 @@
 #include "texts.hpp"
 
 using namespace strandyn;
+using strandyn::test::contains;
 using strandyn::test::lab_span;
 using strandyn::test::refusal;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 /// The phrases of the `# refuses:` lines that a file begins with.
 std::vector<std::string> required_phrases(const std::filesystem::path& file) {
@@ -124,6 +121,10 @@ TEST_CASE("a load that the plane cannot take is refused") {
   CHECK(contains(refusal(lab_span, {"load[0].direction=[0, 0, 0]"}), "has no length"));
   CHECK(contains(refusal(lab_span, {"load[0].direction=[0, 1]"}), "must be three numbers"));
   CHECK(refusal(lab_span, {"load[0].direction=[0, 0, 1]", "span.dimension=spatial"}) == "accepted");
+  for (const char* axis : {"[1, 0, 0]", "[0, 1, 0]"}) {
+    CHECK(contains(refusal(lab_span, {"load[0].moment_N_m=5", std::string("load[0].direction=") + axis}),
+                   "turns the span out of the plane"));
+  }
 }
 
 TEST_CASE("a history that steps back in time is refused at the row") {

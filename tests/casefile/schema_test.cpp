@@ -54,7 +54,7 @@ TEST_CASE("the schema says unit, default, bounds, choices and need of a key") {
   CHECK(span["length_m"]["exclusiveMinimum"] == 0);
   CHECK(span["length_m"]["description"] == "the distance between the supports in metres");
   CHECK(span["mass"]["default"] == "lumped");
-  CHECK(span["left"]["enum"] == ordered_json::array({"clamped", "pinned", "roller", "free"}));
+  CHECK(span["left"]["enum"] == ordered_json::array({"clamped", "pinned", "roller", "free", "guided"}));
   CHECK(span["elements"]["anyOf"][1]["const"] == "auto");
   const ordered_json& points = schema["properties"]["section"]["properties"]["points"];
   CHECK(points["type"] == "integer");
@@ -63,7 +63,8 @@ TEST_CASE("the schema says unit, default, bounds, choices and need of a key") {
 }
 
 TEST_CASE("the schema describes every key that a case as run shows") {
-  for (const std::string& text : {strandyn::test::lab_span, strandyn::test::beam, strandyn::test::three_layers}) {
+  using namespace strandyn::test;
+  for (const std::string& text : {lab_span, beam, three_layers, bend, pushed}) {
     check_described(case_as_run(strandyn::test::read(text)), case_schema(), "");
   }
 }
@@ -94,4 +95,28 @@ TEST_CASE("the schema ties a key to the choice that it belongs to") {
     found = rule["then"]["properties"]["type"]["enum"] == ordered_json::array({"modes"});
   }
   CHECK(found);
+}
+
+TEST_CASE("the schema knows motions and bodies with their bounds") {
+  const ordered_json schema = case_schema();
+  const ordered_json& motion = schema["properties"]["motion"]["items"];
+  CHECK(motion["required"] == ordered_json::array({"type"}));
+  CHECK(motion["properties"]["at"]["enum"] == ordered_json::array({"left", "right"}));
+  CHECK(motion["properties"]["rotation_deg"]["description"] == "the rotation in degrees");
+  CHECK(motion["properties"]["history"]["items"]["prefixItems"][1]["description"] ==
+        "displacement in millimetres (degrees with rotation = true)");
+  const ordered_json& body = schema["properties"]["body"]["items"];
+  CHECK(body["required"] == ordered_json::array({"at_m"}));
+  CHECK(body["properties"]["mass_kg"]["minimum"] == 0);
+  CHECK(body["properties"]["mass_kg"]["default"] == 0);
+}
+
+TEST_CASE("the schema forbids 0 where a number must not be 0 and asks for it under its choice only") {
+  const ordered_json control = case_schema()["properties"]["static"];
+  CHECK(control["properties"]["displacement_mm"]["not"] == ordered_json{{"const", 0}});
+  CHECK_FALSE(control.contains("required"));
+  bool asked = false;
+  for (const auto& rule : control["allOf"])
+    asked = asked || rule["then"].value("required", ordered_json{}) == ordered_json::array({"displacement_mm"});
+  CHECK(asked);
 }

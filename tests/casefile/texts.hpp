@@ -62,6 +62,77 @@ young_GPa = 70
 lay_angle_deg = -12
 )";
 
+/// A bend of that strand in space, with everything that may act on it.
+inline const std::string bend = three_layers + R"([damping]
+modal = [[1, 0.01], [2, 0.02]]
+rayleigh = { mass = 0.1, stiffness = 1e-5 }
+[span]
+nodes_m = [[0, 0, 0], [1, 2, 3]]
+dimension = "spatial"
+right = "guided"
+[[load]]
+type = "table"
+per_length = true
+moment = true
+history = [[0, 0], [1.5, 2.5]]
+[[motion]]
+type = "static-motion"
+at = "left"
+rotation_deg = 2.5
+direction = [-2, 0, 0]
+[[motion]]
+type = "harmonic-motion"
+at_m = 0.5
+amplitude_mm = 3
+frequency = "mode 2"
+[[motion]]
+type = "table"
+at = "right"
+rotation = true
+history = [[0, 0], [1.5, 2.5]]
+[[body]]
+at_m = 0.5
+mass_kg = 2
+inertia_kg_m2 = 0.1
+stiffness_N_per_m = 300
+damping_N_s_per_m = 4
+direction = [3, 0, 4]
+[static]
+control = "arc-length"
+arc_step_mm = 0.7
+[accept]
+"fixed_end[0].k1_N" = { expected = 1.25, absolute = 0.5, reason = "r", source = "s" }
+"status" = { expected = "done", reason = "r" }
+)";
+
+/// A strand pushed aside by a force at a point.
+inline const std::string pushed = R"([conductor]
+catalogue = "curlew"
+[span]
+length_m = 30
+tension_kN = 24.4
+[[load]]
+type = "static-force"
+at_m = 15
+force_N = -200
+[[motion]]
+type = "static-motion"
+at = "right"
+displacement_mm = 0.3
+direction = [1, 0, 0]
+[[motion]]
+type = "harmonic-motion"
+at = "right"
+amplitude_deg = 0.3
+frequency_Hz = 7
+[static]
+control = "displacement"
+displacement_mm = -3
+[analysis]
+type = "static"
+slip_map_loads_N = [10, 20]
+)";
+
 inline casefile::Scene read(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return casefile::read_scene_text(text, "case.toml", overrides);
 }
@@ -74,6 +145,10 @@ inline std::string refusal(const std::string& text, const std::vector<std::strin
     return error.what();
   }
   return "accepted";
+}
+
+inline bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
 }
 
 }  // namespace strandyn::test

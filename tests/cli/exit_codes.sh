@@ -14,8 +14,8 @@ expect_code 2 "an override of an unknown key" "$program" run $lab --set span.len
 expect_said "span.length_m"
 expect_code 2 "an override out of bounds" "$program" check $lab --set span.length_m=-3
 expect_said "--set span.length_m=-3"
-expect_code 2 "what this version cannot do" "$program" describe $lab --set span.dimension=spatial
-expect_said "span.dimension"
+expect_code 2 "what contradicts itself" "${short[@]}" --out "$scratch/refused" --set span.dimension=spatial --set span.condense_axial=true
+expect_said "span.condense_axial"
 
 expect_code 4 "a missing case" "$program" run "$scratch/none.toml"
 expect_said "none.toml"

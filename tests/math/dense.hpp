@@ -1,7 +1,7 @@
 #pragma once
-/// \file A block-tridiagonal matrix written out in full, for tests.
+/// \file Block-tridiagonal matrices written out in full, for tests.
 
-#include "strandyn/math/block_tridiagonal.hpp"
+#include "strandyn/math/chain_matrix.hpp"
 
 namespace strandyn::test {
 
@@ -16,6 +16,13 @@ Eigen::MatrixXd dense(const math::BlockTridiagonal<B>& a) {
     full.block<B, B>(i * B, (i + 1) * B) = a.upper(node);
     full.block<B, B>((i + 1) * B, i * B) = a.lower(node);
   }
+  return full;
+}
+
+/// With the update of rank one, where there is one.
+inline Eigen::MatrixXd dense(const math::ChainMatrix& a) {
+  Eigen::MatrixXd full = math::with_block_size(a.block(), [&](auto B) { return dense(a.as<B()>()); });
+  if (a.update()) full += a.update()->column * a.update()->row.transpose();
   return full;
 }
 

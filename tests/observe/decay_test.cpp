@@ -156,7 +156,7 @@ TEST_CASE("forced vibration: at resonance the force brings in what drag takes, a
   const SpanOptions span{.length = 10, .elements = 20, .graded = false, .drag = drag};
   Vibration vibration(test::stick_law(), span, 1);
   vibration.model.loads = {
-      {.node = 5, .amplitude = {0, 2, 0}, .history = model::Harmonic{.frequency = vibration.mode.frequency}}};
+      {.node = 5, .force = {0, 2, 0}, .history = model::Harmonic{.frequency = vibration.mode.frequency}}};
   CycleObserver observer({.period = vibration.period(), .loop_length = 10});
   solver::Observer* const observers[] = {&observer};
   // zeta = 3.3 %: after 60 cycles exp(-2 pi zeta 60) = 4e-6 of the start is left.

@@ -11,10 +11,11 @@
 
 namespace strandyn::test {
 
-/// Deflection [m] and its rate [m/s] at a time.
+/// Deflection [m], its rate [m/s] and acceleration [m/s^2] at a time.
 struct Swing {
   double deflection = 0;
   double rate = 0;
+  double acceleration = 0;
 };
 
 /// How far a place moves and turns for a swing of one metre. [-], [rad/m]
@@ -54,11 +55,12 @@ class Driven {
     const Swing swing = swing_(time);
     u_ = swing.deflection * shape_;
     v_ = swing.rate * shape_;
+    a_ = swing.acceleration * shape_;
     const double step = time - std::exchange(time_, time);
-    return {.time = time, .step = step, .order = 2, .u = u_, .v = v_, .accepted = system.commit(u_.data())};
+    return {.time = time, .step = step, .order = 2, .u = u_, .v = v_, .a = a_, .accepted = system.commit(u_.data())};
   }
 
-  system::Vector shape_, u_, v_;
+  system::Vector shape_, u_, v_, a_;
   std::function<Swing(double)> swing_;
   double time_ = 0;
 };

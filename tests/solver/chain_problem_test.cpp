@@ -109,7 +109,7 @@ TEST_CASE("chain problem: the solution by elimination satisfies the whole linear
 
 TEST_CASE("chain problem: the residual holds supports and massless velocities at zero and the rest in balance") {
   model::Model model = curlew_span(test::stick_law(), {.length = 6, .elements = 4});
-  model.loads = {{.node = 2, .amplitude = {0, 30, 0}, .history = model::Constant{}}};
+  model.loads = {{.node = 2, .force = {0, 30, 0}, .history = model::Constant{}}};
   System system(model);
   system.begin(zeros(model));
   ChainProblem problem(system);

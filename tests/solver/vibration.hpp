@@ -25,13 +25,13 @@ class Vibration {
   /// From rest in the shape of the mode, so that the antinode will swing by `amplitude` [m].
   solver::InitialMotion start(double amplitude) const { return {.u = rest, .v = amplitude * omega() * mode.shape}; }
 
-  solver::IdaOptions options(double steps_per_cycle, double cycles) const {
+  solver::IntegratorOptions options(double steps_per_cycle, double cycles) const {
     return {.step = period() / steps_per_cycle, .end_time = cycles * period(), .stop = {}};
   }
 
   /// The mode's share in a motion. [m]
   double coordinate(const system::Vector& u) const {
-    system::Matrix M(model.nodes.size());
+    system::Matrix M = system.make_matrix();
     system.mass_matrix(rest.data(), M);
     system::Vector product(u.size());
     M.multiply(u.data(), product.data());

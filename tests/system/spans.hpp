@@ -11,6 +11,7 @@
 #include "strandyn/model/model.hpp"
 #include "strandyn/section/linear_law.hpp"
 #include "strandyn/section/return_map.hpp"
+#include "strandyn/section/spatial_return_map.hpp"
 #include "strandyn/system/system.hpp"
 
 namespace strandyn::test {
@@ -31,8 +32,21 @@ inline LawPointer slip_law() {
   const auto c = conductor::section_constants(curlew());
   return linear_law(c.EA, c.EI_min);
 }
+/// Curlew's laws for a chain of any freedom.
+inline LawPointer stick_law(model::Freedom freedom) {
+  if (!model::is_spatial(freedom)) return stick_law();
+  const auto c = conductor::section_constants(curlew());
+  return std::make_shared<section::LinearLaw>(
+      "stick", section::Dimension::spatial,
+      section::LinearStiffness{.EA = c.EA, .GJ = c.GJ, .C_AT = c.C_AT, .EI = c.EI_max});
+}
 inline LawPointer return_map() {
   return std::make_shared<section::PlanarReturnMap>(curlew(), 36);
+}
+
+inline LawPointer return_map(model::Freedom freedom) {
+  if (!model::is_spatial(freedom)) return return_map();
+  return std::make_shared<section::SpatialReturnMap>(curlew(), section::SpatialReturnMapOptions{.points = 36});
 }
 
 constexpr double curlew_mass = 1.981;              // [kg/m]
@@ -47,12 +61,14 @@ struct SpanOptions {
   model::MassMatrix mass = model::MassMatrix::lumped;
   double rotary = 0;  // [kg m]
   double drag = 0;    // [N s/m^2]
+  model::Freedom freedom = model::Freedom::planar;
 };
 
 /// A Curlew span between two clamps or pins, meshed as `grading = "clamps"` does.
 inline model::Model curlew_span(LawPointer law, const SpanOptions& o = {}) {
   const auto c = conductor::section_constants(curlew());
   model::Model model;
+  model.freedom = o.freedom;
   const auto nodes = model::span_mesh({.length = o.length,
                                        .elements = o.elements,
                                        .end_size = 0.5 * std::sqrt(c.EI_min / o.tension),
@@ -60,10 +76,10 @@ inline model::Model curlew_span(LawPointer law, const SpanOptions& o = {}) {
                                        .grade_right = o.graded,
                                        .stations = {}});
   model::lay_out(model, {.positions = nodes, .strain = o.tension / c.EA});
-  model.supports = {{.node = 0, .fixed = {true, true, o.clamped}},
-                    {.node = o.elements, .fixed = {true, true, o.clamped}}};
+  const std::array<bool, model::unknown_kinds> ends = {true, true, true, true, o.clamped, o.clamped};  // twist held
+  model.supports = {{.node = 0, .fixed = ends}, {.node = o.elements, .fixed = ends}};
   model.law = std::move(law);
-  model.inertia = {.mass = curlew_mass, .rotary = o.rotary};
+  model.inertia = {.mass = curlew_mass, .rotary = o.rotary, .polar = 2 * o.rotary};
   model.mass_matrix = o.mass;
   model.drag = o.drag;
   return model;
@@ -74,9 +90,9 @@ inline model::Model cantilever(LawPointer law, double length, std::size_t elemen
   model::Model model;
   model::lay_out(
       model, {.positions = model::span_mesh({.length = length, .elements = elements, .stations = {}}), .strain = 0});
-  model.supports = {{.node = 0, .fixed = {true, true, true}}};
+  model.supports = {{.node = 0, .fixed = {true, true, true, true, true, true}}};
   model.law = std::move(law);
-  model.inertia = {.mass = 1, .rotary = 0};
+  model.inertia = {.mass = 1};
   return model;
 }
 
@@ -94,7 +110,7 @@ class RandomMotion {
     std::uniform_real_distribution<double> between(-size, size);
     system::Vector x(static_cast<Eigen::Index>(system.unknowns()));
     for (std::size_t i = 0; i < system.unknowns(); ++i) {
-      const double number = between(random_) * (i % model::unknowns_per_node == 0 ? 1e-3 : 1);
+      const double number = between(random_) * (system.model().kind(i) == model::Unknown::x ? 1e-3 : 1);
       x(static_cast<Eigen::Index>(i)) = system.is_held(i) ? 0 : number;
     }
     return x;

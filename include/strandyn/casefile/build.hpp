@@ -26,13 +26,18 @@ SectionNumbers section_numbers(const Scene& scene);
 std::shared_ptr<const section::Law> build_law(const Scene& scene, section::Dimension dimension,
                                               const conductor::Strand* strand = nullptr);
 
-/// A planar span and what was decided on the way.
+/// A span and what was decided on the way.
 struct BuiltSpan {
   model::Model model;
-  double tension = 0;                ///< [N] of the straight span
-  double length = 0;                 ///< [m]
-  double end_size = 0;               ///< [m] wanted size of the elements at graded ends; 0: uniform
-  std::vector<std::size_t> load_of;  ///< for each entry of model.loads, the [[load]] it came from
+  double tension = 0;                  ///< [N] of a straight span, the horizontal component of a hanging one
+  double length = 0;                   ///< [m] between the supports, along the corners if there are any
+  double end_size = 0;                 ///< [m] wanted size of the elements at graded ends; 0: uniform
+  std::vector<std::size_t> load_of;    ///< for each entry of model.loads, the [[load]] it came from
+  std::vector<std::size_t> motion_of;  ///< for each entry of model.motions, the [[motion]]
+  /// All unknowns near the shape in which the span hangs, and of the straight chain; empty where it does
+  /// not hang: then it is at rest with all unknowns zero.
+  Eigen::VectorXd hanging, straight;
+  std::optional<double> catenary_sag;  ///< [m] of the flexible cable that has given `hanging`
 };
 
 /// The chain of a scene with [span]. Loads at the frequency of a mode get it later, by `set_load_frequency`: modes need
@@ -42,8 +47,9 @@ BuiltSpan build_span(const Scene& scene);
 /// Builds what the analysis needs and throws it away: an InputError for whatever this version cannot model.
 void check_buildable(const Scene& scene);
 
-/// Gives the entries of model.loads that came from [[load]] number `load` their frequency [Hz].
-void set_load_frequency(BuiltSpan& span, std::size_t load, double frequency);
+/// Gives the entries that came from [[load]] or [[motion]] number `number` their frequency [Hz].
+void set_load_frequency(BuiltSpan& span, std::size_t number, double frequency);
+void set_motion_frequency(BuiltSpan& span, std::size_t number, double frequency);
 
 /// Speed of transverse waves [m/s], tension and mass only; and half a wave length [m] at a frequency [Hz].
 double wave_speed(const Scene& scene, double tension);

@@ -12,16 +12,22 @@ using conductor::WireShape;
 
 enum class Law { stick, slip, elastic, multilinear, masing, return_map, compliant };
 enum class Grading { clamps, uniform };
-enum class Support { clamped, pinned, roller, free };
+enum class Support { clamped, pinned, roller, free, guided };
 enum class Dimension { planar, spatial };
 enum class MassMatrix { lumped, consistent };
 enum class LoadType { static_force, harmonic_force, table };
+enum class MotionType { static_motion, harmonic_motion, table };
+enum class End { left, right };
 enum class Control { load, displacement, arc_length };
 enum class Method { ida, generalized_alpha };
 enum class StepRule { fixed, automatic, adaptive };
 enum class Twist { held, free };
 enum class Until { steady };
-enum class AnalysisType { section, axial_torsion, static_, modes, decay, forced };
+enum class AnalysisType { section, axial_torsion, static_, modes, decay, forced, transient, self_damping };
+enum class DampingRoad { quadrature, periodic, transient, foti_2018 };
+enum class ModeShape { sine, clamped };
+enum class WindCurve { cigre, diana_falco, brika_laneville };
+enum class BalancedBy { quadrature, foti_2018, fit, published };
 
 template <class E>
 struct Named {
@@ -45,7 +51,8 @@ template <>
 inline constexpr std::array choices<Grading>{Named{Grading::clamps, "clamps"}, Named{Grading::uniform, "uniform"}};
 template <>
 inline constexpr std::array choices<Support>{Named{Support::clamped, "clamped"}, Named{Support::pinned, "pinned"},
-                                             Named{Support::roller, "roller"}, Named{Support::free, "free"}};
+                                             Named{Support::roller, "roller"}, Named{Support::free, "free"},
+                                             Named{Support::guided, "guided"}};
 template <>
 inline constexpr std::array choices<Dimension>{Named{Dimension::planar, "planar"},
                                                Named{Dimension::spatial, "spatial"}};
@@ -56,6 +63,12 @@ template <>
 inline constexpr std::array choices<LoadType>{Named{LoadType::static_force, "static-force"},
                                               Named{LoadType::harmonic_force, "harmonic-force"},
                                               Named{LoadType::table, "table"}};
+template <>
+inline constexpr std::array choices<MotionType>{Named{MotionType::static_motion, "static-motion"},
+                                                Named{MotionType::harmonic_motion, "harmonic-motion"},
+                                                Named{MotionType::table, "table"}};
+template <>
+inline constexpr std::array choices<End>{Named{End::left, "left"}, Named{End::right, "right"}};
 template <>
 inline constexpr std::array choices<Control>{Named{Control::load, "load"}, Named{Control::displacement, "displacement"},
                                              Named{Control::arc_length, "arc-length"}};
@@ -71,9 +84,24 @@ template <>
 inline constexpr std::array choices<Until>{Named{Until::steady, "steady"}};
 template <>
 inline constexpr std::array choices<AnalysisType>{
-    Named{AnalysisType::section, "section"}, Named{AnalysisType::axial_torsion, "axial-torsion"},
-    Named{AnalysisType::static_, "static"},  Named{AnalysisType::modes, "modes"},
-    Named{AnalysisType::decay, "decay"},     Named{AnalysisType::forced, "forced"}};
+    Named{AnalysisType::section, "section"},     Named{AnalysisType::axial_torsion, "axial-torsion"},
+    Named{AnalysisType::static_, "static"},      Named{AnalysisType::modes, "modes"},
+    Named{AnalysisType::decay, "decay"},         Named{AnalysisType::forced, "forced"},
+    Named{AnalysisType::transient, "transient"}, Named{AnalysisType::self_damping, "self-damping"}};
+template <>
+inline constexpr std::array choices<DampingRoad>{
+    Named{DampingRoad::quadrature, "quadrature"}, Named{DampingRoad::periodic, "periodic"},
+    Named{DampingRoad::transient, "transient"}, Named{DampingRoad::foti_2018, "foti-2018"}};
+template <>
+inline constexpr std::array choices<ModeShape>{Named{ModeShape::sine, "sine"}, Named{ModeShape::clamped, "clamped"}};
+template <>
+inline constexpr std::array choices<WindCurve>{Named{WindCurve::cigre, "cigre"},
+                                               Named{WindCurve::diana_falco, "diana-falco"},
+                                               Named{WindCurve::brika_laneville, "brika-laneville"}};
+template <>
+inline constexpr std::array choices<BalancedBy>{
+    Named{BalancedBy::quadrature, "quadrature"}, Named{BalancedBy::foti_2018, "foti-2018"},
+    Named{BalancedBy::fit, "fit"}, Named{BalancedBy::published, "published"}};
 
 /// The word of a value, as the case file spells it.
 template <class E>

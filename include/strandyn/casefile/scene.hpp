@@ -3,7 +3,7 @@
 ///
 /// The keys, their units, defaults and bounds are declared once, in src/casefile/keys.hpp. A field that may be absent
 /// is an optional; every other one holds its default. `read_scene` has resolved what needs more than one key: the
-/// strand, the directions of the loads, the steps per cycle.
+/// strand, the directions of loads, motions and bodies, the steps per cycle.
 
 #include <array>
 #include <optional>
@@ -65,6 +65,8 @@ struct Section {
   std::optional<double> EI;               ///< [N m^2] with springs: what remains when all have yielded
   std::optional<double> GJ;               ///< [N m^2]
   std::optional<double> mass_per_length;  ///< [kg/m]
+  std::optional<double> rotary_inertia;   ///< [kg m] mass moment per length about an axis of bending
+  std::optional<double> polar_inertia;    ///< [kg m] about the axis of the span
   std::vector<Spring> springs;            ///< `multilinear`
 };
 
@@ -108,6 +110,38 @@ struct Load {
   double value() const { return moment.value_or(force.value_or(amplitude.value_or(0.0))); }
 };
 
+/// [[motion]]: a support or a point of the span follows a prescribed motion along or about one axis.
+struct Motion {
+  MotionType type = MotionType::static_motion;
+  std::optional<End> support;                  ///< this, or
+  std::optional<double> at;                    ///< [m] from the left support, along the span
+  std::optional<double> displacement;          ///< [m] `static-motion`: this, or
+  std::optional<double> rotation;              ///< [rad]
+  std::optional<double> amplitude;             ///< [m] `harmonic-motion`: this, or
+  std::optional<double> rotation_amplitude;    ///< [rad]
+  std::optional<double> frequency;             ///< [Hz] `harmonic-motion`: this, or
+  std::optional<int> frequency_mode;           ///< that of this mode, counted from 1
+  std::vector<std::array<double, 2>> history;  ///< [s], [m] ([rad] if history_is_rotation), `table`
+  bool history_is_rotation = false;
+  std::optional<Vector3> direction;  ///< [-] plus or minus one of the axes x, y, z; always set after reading
+
+  bool is_rotation() const { return rotation || rotation_amplitude || history_is_rotation; }
+  /// [m] or [rad] the one of displacement, rotation and their amplitudes that is given; 0 for a table.
+  double value() const {
+    return displacement.value_or(rotation.value_or(amplitude.value_or(rotation_amplitude.value_or(0.0))));
+  }
+};
+
+/// [[body]]: a lumped mass, or a spring and damper to the ground, at a point of the span.
+struct Body {
+  double at = 0;                     ///< [m] from the left support, along the span
+  double mass = 0;                   ///< [kg]
+  double inertia = 0;                ///< [kg m^2] about every axis
+  double stiffness = 0;              ///< [N/m] along `direction`
+  double damping = 0;                ///< [N s/m] along `direction`
+  std::optional<Vector3> direction;  ///< [-] unit vector; always set after reading
+};
+
 struct Initial {
   int velocity_mode = 1;
   double antinode_velocity = 0;  ///< [m/s]
@@ -126,7 +160,15 @@ struct Damping {
 
 struct Static {
   Control control = Control::load;
+  double displacement = 0;         ///< [m] `displacement`: of the point of the first static force, along it, at the end
+  std::optional<double> arc_step;  ///< [m] `arc-length`: of an arc; empty: that of the first load step
+  double max_load_factor = 1;      ///< [-] `arc-length`: the path ends where the load factor first passes it
 };
+
+/// [-] bound of the numerical share where the case gives none; it holds for runs of `cycles_of_default_share` and more,
+/// since a span that has hardly begun to move has lost hardly anything.
+inline constexpr double default_numerical_share = 0.05;
+inline constexpr std::size_t cycles_of_default_share = 20;
 
 struct Integrator {
   Method method = Method::ida;
@@ -136,7 +178,7 @@ struct Integrator {
   std::optional<double> step_size;            ///< [s]
   double rtol = 1e-6;                         ///< [-] `adaptive`
   double newton_tolerance = 1e-9;             ///< [-]
-  std::optional<double> max_numerical_share;  ///< [-] empty: no bound
+  std::optional<double> max_numerical_share;  ///< [-] of the physical dissipation over the last cycles; empty: default
   std::optional<double> checkpoint_every;     ///< [s] of wall time; empty: none
 };
 
@@ -159,10 +201,12 @@ struct AxialTorsionAnalysis {
 
 struct StaticAnalysis {
   int steps = 20;
+  std::vector<double> slip_map_loads;  ///< [N] where the slipping wires at the first static force's point are listed
 };
 
 struct ModesAnalysis {
   int count = 12;
+  std::optional<double> near_frequency;  ///< [Hz] the modes nearest to it; empty: the lowest
 };
 
 struct DecayAnalysis {
@@ -176,6 +220,60 @@ struct ForcedAnalysis {
   std::optional<Until> until;
 };
 
+struct TransientAnalysis {
+  double duration = 0;         ///< [s]
+  std::vector<double> probes;  ///< [m] from the left support; empty: the right end and the loaded points
+};
+
+/// [[analysis.at]]: one point of a self-damping study, beside its grid.
+struct DampingAt {
+  std::optional<double> frequency;                ///< [Hz] this or
+  std::optional<int> mode;                        ///< that of this mode, counted from 1
+  std::optional<double> amplitude_over_diameter;  ///< [-] one of these three
+  std::optional<double> antinode_amplitude;       ///< [m]
+  std::optional<double> antinode_velocity;        ///< [m/s]
+  std::optional<double> tension_rts;              ///< [-] this or
+  std::optional<double> tension;                  ///< [N]
+  std::optional<DampingRoad> road;                ///< the study's unless given
+};
+
+/// [analysis.foti_2018]: the numbers of the simplified loss; the strand's own where they are not given.
+struct SimplifiedLoss {
+  std::optional<double> EI;                       ///< [N m^2]
+  std::optional<double> chi_0_at_rated_strength;  ///< [1/m] in proportion to the tension
+};
+
+/// [[analysis.energy_balance]]
+struct EnergyBalanceKeys {
+  WindCurve wind = WindCurve::cigre;
+  double turbulence_intensity = 0;  ///< [-]
+  double strouhal = 0.2;            ///< [-]
+  std::vector<double> frequencies;  ///< [Hz] empty: those of the study
+  BalancedBy self_damping = BalancedBy::quadrature;
+  std::string law;               ///< `published`: its name
+  std::optional<double> factor;  ///< `published`: k for m, Hz, kN
+};
+
+struct SelfDampingAnalysis {
+  std::vector<double> frequencies;               ///< [Hz] this or
+  std::vector<double> modes;                     ///< counted from 1
+  std::vector<double> amplitudes_over_diameter;  ///< [-] one of these three
+  std::vector<double> antinode_amplitudes;       ///< [m]
+  std::vector<double> antinode_velocities;       ///< [m/s]
+  std::vector<double> tensions_rts;              ///< [-] this or
+  std::vector<double> tensions;                  ///< [N]
+  DampingRoad road = DampingRoad::quadrature;
+  ModeShape mode_shape = ModeShape::sine;
+  std::vector<DampingAt> at;
+  std::vector<std::array<double, 2>> bands;  ///< [-] of amplitude over diameter
+  SimplifiedLoss simplified;
+  std::vector<EnergyBalanceKeys> energy_balances;
+
+  bool has_grid() const { return !frequencies.empty() || !modes.empty(); }
+  bool names_modes() const;  ///< of the grid or of a single point
+  bool takes(DampingRoad road) const;
+};
+
 /// Only the table of the chosen type is read.
 struct Analysis {
   AnalysisType type = AnalysisType::section;
@@ -185,6 +283,8 @@ struct Analysis {
   ModesAnalysis modes;
   DecayAnalysis decay;
   ForcedAnalysis forced;
+  TransientAnalysis transient;
+  SelfDampingAnalysis self_damping;
 };
 
 struct Scene {
@@ -193,6 +293,8 @@ struct Scene {
   Section section;
   std::optional<Span> span;  ///< may be empty for the analyses of a section
   std::vector<Load> loads;
+  std::vector<Motion> motions;
+  std::vector<Body> bodies;
   std::optional<Initial> initial;
   Damping damping;
   Static static_;
@@ -207,6 +309,9 @@ std::optional<double> span_tension(const Scene& scene);
 
 /// [N] tensions of a `section` analysis, however given.
 std::vector<double> section_tensions(const Scene& scene);
+
+/// Number of the first static-force load, whose point displacement control moves and slip maps look at.
+std::optional<std::size_t> first_static_force(const Scene& scene);
 
 /// [kg/m] of unstressed length: of the section, else of the conductor; empty where neither says.
 std::optional<double> mass_per_length(const Scene& scene);

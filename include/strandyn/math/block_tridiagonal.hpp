@@ -6,7 +6,10 @@
 /// blocks are definite. Cost: linear in the number of nodes.
 
 #include <Eigen/Dense>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace strandyn::math {
@@ -44,19 +47,20 @@ class BlockTridiagonal {
     diagonal_[i + 1] += k.template bottomRightCorner<B, B>();
   }
 
-  /// Makes equation `row` of node i read x = right-hand side, and takes the unknown out of all others: a support.
-  void pin(std::size_t i, int row) {
+  /// Makes equation `row` of node i read x = right-hand side.
+  void pin_row(std::size_t i, int row) {
     diagonal_[i].row(row).setZero();
-    diagonal_[i].col(row).setZero();
     diagonal_[i](row, row) = 1;
-    if (i > 0) {
-      lower_[i - 1].row(row).setZero();
-      upper_[i - 1].col(row).setZero();
-    }
-    if (i + 1 < nodes()) {
-      upper_[i].row(row).setZero();
-      lower_[i].col(row).setZero();
-    }
+    if (i > 0) lower_[i - 1].row(row).setZero();
+    if (i + 1 < nodes()) upper_[i].row(row).setZero();
+  }
+
+  /// The same, and takes the unknown out of all other equations: the matrix stays symmetric.
+  void pin(std::size_t i, int row) {
+    diagonal_[i].col(row).setZero();
+    pin_row(i, row);
+    if (i > 0) upper_[i - 1].col(row).setZero();
+    if (i + 1 < nodes()) lower_[i].col(row).setZero();
   }
 
   /// y = A x.
@@ -67,6 +71,11 @@ class BlockTridiagonal {
       if (i + 1 < nodes()) sum += upper_[i] * node(x, i + 1);
       node(y, i) = sum;
     }
+  }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(diagonal_, upper_, lower_);
   }
 
  private:
@@ -89,6 +98,8 @@ class BlockTridiagonalLU {
     inverse_.resize(n);
     lower_.resize(n);
     upper_.resize(n);
+    // What is not finite stays so in every sum: one look at the end is enough.
+    double sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
       Block pivot = a.diagonal(i);
       if (i > 0) {
@@ -97,9 +108,9 @@ class BlockTridiagonalLU {
       }
       if (i + 1 < n) upper_[i] = a.upper(i);
       inverse_[i] = inverse(pivot);
-      if (!inverse_[i].allFinite()) return false;
+      sum += inverse_[i].sum();
     }
-    return true;
+    return std::isfinite(sum);
   }
 
   /// Overwrites the right-hand side with the solution.
@@ -113,22 +124,51 @@ class BlockTridiagonalLU {
     }
   }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(inverse_, lower_, upper_);
+  }
+
  private:
-  /// Inverse with rows and columns brought to like size first: a block mixes forces and moments.
   static Block inverse(const Block& pivot) {
-    Vector scale;
-    for (int r = 0; r < B; ++r) {
-      const double size = std::abs(pivot(r, r));
-      scale(r) = size > 0 ? 1 / std::sqrt(size) : 1;
-    }
-    const Block scaled = scale.asDiagonal() * pivot * scale.asDiagonal();
-    Block result;
     if constexpr (B <= 4) {
-      result = scaled.inverse();
+      return pivot.inverse();  // by cofactors, whose terms have all the same unit
     } else {
-      result = scaled.partialPivLu().inverse();
+      return gauss_jordan(pivot);
     }
-    return scale.asDiagonal() * result * scale.asDiagonal();
+  }
+
+  /// In place, by columns. A block mixes forces and moments: rows are brought to like size where a pivot is chosen.
+  static Block gauss_jordan(Block a) {
+    Vector size;
+    for (int r = 0; r < B; ++r) size(r) = a(r, r) != 0 ? 1 / std::sqrt(std::abs(a(r, r))) : 1;
+    std::array<int, B> exchanged;
+    for (int k = 0; k < B; ++k) {
+      int best = k;
+      for (int r = k + 1; r < B; ++r) {
+        if (std::abs(a(r, k)) * size(r) > std::abs(a(best, k)) * size(best)) best = r;
+      }
+      exchanged[static_cast<std::size_t>(k)] = best;
+      if (best != k) {
+        a.row(k).swap(a.row(best));
+        std::swap(size(k), size(best));
+      }
+      const double pivot = 1 / a(k, k);
+      Vector column = -pivot * a.col(k);
+      column(k) = pivot;
+      a.col(k).setZero();
+      for (int c = 0; c < B; ++c) {
+        const double factor = a(k, c);
+        a(k, c) = 0;
+        a.col(c) += factor * column;
+      }
+      a.col(k) = column;
+    }
+    for (int k = B; k-- > 0;) {
+      const int other = exchanged[static_cast<std::size_t>(k)];
+      if (other != k) a.col(k).swap(a.col(other));
+    }
+    return a;
   }
   static Eigen::Map<Vector> node(double* x, std::size_t i) { return Eigen::Map<Vector>(x + i * B); }
 

@@ -25,4 +25,7 @@ using TimeFunction = std::variant<Constant, Harmonic, Tabulated>;
 /// The factor at time t [s].
 double evaluate(const TimeFunction& function, double t);
 
+/// [1/s] its derivative; at a corner of a table that of the line which begins there.
+double rate(const TimeFunction& function, double t);
+
 }  // namespace strandyn::model

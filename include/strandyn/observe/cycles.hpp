@@ -19,6 +19,7 @@ struct Cycle {
   double elastic = 0;  ///< above that of the initial state
   double friction = 0;
   double viscous = 0;
+  system::ViscousLoss viscous_parts = {};  ///< the same by name
   double numerical = 0;
   double quadrature_error = 0;
   double internal_work = 0;
@@ -35,7 +36,7 @@ struct CycleOptions {
 struct Profile {
   std::vector<double> position;             ///< [m] along the reference configuration
   std::vector<double> friction;             ///< [J/m] per cycle
-  std::vector<double> curvature_amplitude;  ///< [1/m] half of peak to peak
+  std::vector<double> curvature_amplitude;  ///< [1/m] half of peak to peak, about the axis where it is larger
   std::size_t cycles = 0;                   ///< over how many
 };
 
@@ -46,6 +47,7 @@ class CycleObserver final : public solver::Observer {
 
   void begin(const system::System& system, const solver::StepRecord& initial) override;
   void step(const system::System& system, const solver::StepRecord& record) override;
+  void archive(Archive& a) override;
 
   const std::vector<Cycle>& cycles() const { return cycles_; }
   const Ledger& ledger() const { return ledger_; }
@@ -58,9 +60,11 @@ class CycleObserver final : public solver::Observer {
     void restart(std::size_t size);
     void widen(std::size_t i, double value);
     double amplitude(std::size_t i) const { return 0.5 * (high[i] - low[i]); }
+    void archive(Archive& a) { a(low, high); }
   };
   struct PointRecord {
     std::vector<double> friction, curvature_amplitude;
+    void archive(Archive& a) { a(friction, curvature_amplitude); }
   };
 
   void watch(const system::System& system, const solver::StepRecord& record);
@@ -74,8 +78,9 @@ class CycleObserver final : public solver::Observer {
   double time_before_ = 0;
   std::vector<Cycle> cycles_;
   std::optional<DeflectionPoints> places_;
-  Range deflection_, curvature_;
-  std::vector<double> friction_;  // [J/m] of each section point in the cycle under way
+  bool system_is_planar_ = true;
+  Range deflection_, curvature_, curvature_3_;  // curvatures about the axes 2 and 3; about 2 only in a plane
+  std::vector<double> friction_;                // [J/m] of each section point in the cycle under way
   std::deque<PointRecord> kept_;
 };
 

@@ -18,18 +18,26 @@ class DeflectionPoints {
   /// Places at least `loop_length` [m] from both ends; all of the span where it has fewer than three loops.
   DeflectionPoints(const model::Model& model, double loop_length);
 
-  std::size_t size() const { return points_.size(); }
-  /// [m] deflection across the span at place i; `u` holds all unknowns.
+  std::size_t size() const { return ends_.size(); }
+  /// [m] deflection across the reference line at place i; `u` holds all unknowns. A spatial chain has two directions
+  /// across at each place.
   double at(const double* u, std::size_t i) const;
   /// Largest deflection in size: the antinode of a mode shape.
   double largest(const double* u) const;
 
  private:
-  struct Point {
+  struct Place {
     std::size_t element = 0;
-    std::array<double, 4> weight{};  // of y_1, theta_1, y_2, theta_2
+    std::size_t plane = 0;  // 0: along the sections' axis 2, 1: along axis 3
   };
-  std::vector<Point> points_;
+  struct Term {
+    std::size_t unknown = 0;
+    double weight = 0;
+  };
+  void add_point(const model::Model& model, Place place, const std::array<double, 4>& weight);
+
+  std::vector<Term> terms_;        // of all places, one after the other
+  std::vector<std::size_t> ends_;  // where the terms of each place end
 };
 
 }  // namespace strandyn::observe

@@ -1,7 +1,7 @@
 #pragma once
 /// \file The energy ledger: every term computed on its own, the remainder shown as the integrator's error.
 ///
-///     external work  = sum (f_n + f_n+1)/2 . (u_n+1 - u_n)                  forces and motion of the loaded unknowns
+///     external work  = sum (f_n + f_n+1)/2 . (u_n+1 - u_n)                  loads, and reactions of moving supports
 ///     kinetic        = v . M v/2,   elastic = stored in the sections        from the state
 ///     friction       = sum D,       quadrature error = sum E_quad           from `commit`
 ///     viscous        = sum h (v_n . c v_n + v_n+1 . c v_n+1)/2
@@ -21,12 +21,14 @@ struct Account {
   double kinetic = 0;  ///< of the state
   double elastic = 0;  ///< of the state, above that of the initial state
   double friction = 0;
-  double viscous = 0;
+  system::ViscousLoss viscous = {};
   double quadrature_error = 0;
   double internal_work = 0;
   double initial_kinetic = 0;  ///< constant
 
-  double numerical() const { return external_work - (kinetic - initial_kinetic) - elastic - friction - viscous; }
+  double numerical() const {
+    return external_work - (kinetic - initial_kinetic) - elastic - friction - viscous.total();
+  }
 };
 
 /// Between two accounts, each term linear in `part` from 0 to 1: the remainder stays what the terms leave over.
@@ -36,13 +38,17 @@ class Ledger final : public solver::Observer {
  public:
   void begin(const system::System& system, const solver::StepRecord& initial) override;
   void step(const system::System& system, const solver::StepRecord& record) override;
+  void archive(Archive& a) override { a(now_, initial_elastic_, power_, u_, external_, internal_); }
 
   const Account& now() const { return now_; }
 
  private:
+  static void evaluate(const system::System& system, const solver::StepRecord& record, system::Vector& external,
+                       system::Vector& internal);
+
   Account now_;
   double initial_elastic_ = 0;  // [J]
-  double drag_power_ = 0;       // [W] at the last step
+  system::ViscousLoss power_;   // [W] at the last step
   system::Vector u_, external_, internal_;
   system::Vector next_external_, next_internal_;
 };

@@ -2,7 +2,9 @@
 /// \file Natural frequencies and mode shapes about the committed state, all friction sticking at first.
 ///
 ///     K phi = omega^2 M phi,   phi^T M phi = 1
-/// K is the tangent at the committed state, its symmetric part. Unknowns without mass follow the others.
+/// K is the tangent at the committed state, its symmetric part, loads that follow rotations included. Unknowns without
+/// mass follow the others. A round section vibrates alike in all planes: of such equal frequencies every mode is found,
+/// and the shapes are turned so that each moves in one plane.
 
 #include <vector>
 
@@ -10,16 +12,26 @@
 
 namespace strandyn::solver {
 
+/// Where most of the kinetic energy of a mode is: along the chain, across it in the x-y plane or out of it, in twist.
+enum class ModeKind { axial, in_plane, out_of_plane, torsional };
+const char* name_of(ModeKind kind);  ///< "in-plane"
+
 struct Mode {
-  double frequency = 0;   ///< [Hz]
-  system::Vector shape;   ///< all unknowns; scaled to 1 m (or 1 rad) at its largest translation
-  double modal_mass = 0;  ///< [kg] of that scaling
+  double frequency = 0;  ///< [Hz]
+  ModeKind kind = ModeKind::in_plane;
+  system::Vector shape;   ///< all unknowns; scaled to 1 m (or 1 rad, a torsional one) where it is largest
+  double modal_mass = 0;  ///< [kg] ([kg m^2]) of that scaling
 };
 
-/// The `count` lowest modes, ascending. Throws ComputationError where the state is unstable or the solver stalls.
-std::vector<Mode> lowest_modes(const system::System& system, const system::Vector& u, std::size_t count);
+struct ModeOptions {
+  std::size_t count = 1;
+  double near = 0;  ///< [Hz] the modes nearest to this frequency; 0: the lowest
+};
 
-/// The modes whose motion is mainly across the span (y): what "mode 12" counts.
+/// Modes in ascending order. Throws ComputationError where the state is unstable or the solver stalls.
+std::vector<Mode> find_modes(const system::System& system, const system::Vector& u, const ModeOptions& options);
+
+/// The lowest modes whose motion is mainly across the span and in its plane: what "mode 12" counts.
 std::vector<Mode> transverse_modes(const system::System& system, const system::Vector& u, std::size_t count);
 
 }  // namespace strandyn::solver

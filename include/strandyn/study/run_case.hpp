@@ -1,6 +1,7 @@
 #pragma once
 /// \file One case from its scene to its summary: what `strandyn run` does between reading and writing.
 
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,7 +17,13 @@ namespace strandyn::study {
 struct Hooks {
   std::function<bool()> stop;                                       ///< true: end early, keep what there is
   std::function<void(double fraction, std::string_view)> progress;  ///< how far, in words
+  /// Where a study of many points keeps the finished ones, and a long run its checkpoints; empty: nowhere.
+  std::filesystem::path folder = {};
+  bool resume = false;  ///< go on from the checkpoint in `folder`, if there is one
 };
+
+/// The file in the folder of a run that has not come to its end.
+inline constexpr const char* checkpoint_name = "checkpoint.bin";
 
 struct NamedTable {
   std::string file;  ///< "cycles.csv"
@@ -29,6 +36,7 @@ struct CaseResult {
   std::vector<NamedTable> tables;
   std::vector<casefile::Verdict> verdicts;  ///< of [accept]
   std::string message;                      ///< why exit_code is not `done`; empty otherwise
+  bool ended_early = false;                 ///< interrupted or failed midway: a checkpoint may still serve
 };
 
 /// Runs the analysis. Throws InputError for what the scene asks and this version cannot do, and ComputationError where

@@ -1,31 +1,36 @@
 #pragma once
 /// \file What a scene does: forces, tangents and energies of the chain, and the history of its sections.
 ///
-///     M(u) v' + g(u, v) + f_int(u; history) + c v = f_ext(t)
+///     M(u) v' + g(u, v) + f_int(u; history) + c v = f_ext(t, u)
 /// with u the displacements and rotations of all nodes, supports included: a held unknown keeps its place in the
-/// vectors, its equation reads u = 0. Unknowns without mass (rotations, unless they carry rotary inertia) are
-/// algebraic.
+/// vectors, its equation reads u = 0, or u = what a prescribed motion says. Unknowns without mass (rotations, unless
+/// they carry rotary inertia) are algebraic.
 ///
 /// Everything but `begin` and `commit` is const in the committed history: the integrator may evaluate states that it
 /// throws away. `commit` re-evaluates the section law at the state it is given and is the only writer of history.
 /// An object serves one thread: evaluations share working storage.
 
 #include <Eigen/Dense>
+#include <memory>
+#include <optional>
+#include <vector>
 
+#include "strandyn/core/archive.hpp"
 #include "strandyn/core/stopwatch.hpp"
-#include "strandyn/math/block_tridiagonal.hpp"
+#include "strandyn/math/chain_matrix.hpp"
 #include "strandyn/model/model.hpp"
 
 namespace strandyn::system {
 
 using Vector = Eigen::VectorXd;
 using ConstVectorRef = Eigen::Ref<const Vector>;
-using VectorRef = Eigen::Ref<Vector>;
-using Matrix = math::BlockTridiagonal<static_cast<int>(model::unknowns_per_node)>;
+using Matrix = math::ChainMatrix;
+
+class Chain;
 
 /// Energies of the chain after an accepted step. [J]
 struct Accepted {
-  double elastic = 0;           ///< stored in all sections
+  double elastic = 0;           ///< stored in all sections and springs
   double friction = 0;          ///< dissipated by friction in the step, >= 0
   double quadrature_error = 0;  ///< excess of `friction` over the trapezoidal work balance of the step, >= 0
 };
@@ -44,33 +49,84 @@ struct InertiaFactors {
   double position = 0;      ///< of d/du
 };
 
+/// Viscous damping that is made from the chain itself, about its state of rest: forces C v with constant C.
+struct ProportionalDamping {
+  /// A mode's share: factor (momentum . v) momentum, with momentum = M phi and factor = 2 zeta omega/(phi . M phi).
+  struct Mode {
+    Vector momentum;
+    double factor = 0;
+  };
+  std::optional<Matrix> rayleigh;  ///< a M + b K; held unknowns take no part
+  std::vector<Mode> modes;
+};
+
+/// What the viscous forces take, each under its own name. [W], or [J] once summed over time
+struct ViscousLoss {
+  double drag = 0;     ///< along the span
+  double dampers = 0;  ///< of bodies
+  double rayleigh = 0;
+  double modal = 0;
+
+  double total() const { return drag + dampers + rayleigh + modal; }
+};
+
+/// When loads and prescribed motions are asked for: at a time, and in a static analysis in part.
+struct LoadState {
+  double time = 0;  ///< [s]
+  double part = 1;  ///< [-] of all loads and motions but the dead loads
+  double dead = 1;  ///< [-] of the dead loads
+};
+
 class System {
  public:
   explicit System(const model::Model& model);
+  ~System();
+  System(const System&) = delete;
+  System& operator=(const System&) = delete;
 
   const model::Model& model() const { return model_; }
-  std::size_t unknowns() const { return model_.unknowns(); }
+  std::size_t unknowns() const { return held_.size(); }
+  Matrix make_matrix() const { return {static_cast<int>(model_.unknowns_per_node()), model_.nodes.size()}; }
+  Vector make_vector() const { return Vector::Zero(static_cast<Eigen::Index>(unknowns())); }
+
   bool is_held(std::size_t i) const { return held_[i]; }
   bool has_mass(std::size_t i) const { return mass_[i]; }  ///< is the unknown dynamic: free, and with inertia
+  bool has_moving_supports() const { return !model_.motions.empty(); }
+  /// Writes the values that held unknowns have; leaves the others.
+  void held_values(LoadState at, double* u) const;
+  void held_rates(double t, double* v) const;
+
+  /// Adds damping that needs modes or the stiffness at rest, and so cannot be part of the model.
+  void set_damping(ProportionalDamping damping) { damping_ = std::move(damping); }
+  const ProportionalDamping& damping() const { return damping_; }
 
   /// Starts the history: virgin sections, brought straight to the strains of `u`.
   void begin(const ConstVectorRef& u);
 
-  /// f = f_int(u). [N], [N m]
+  /// f = f_int(u), springs of bodies included. [N], [N m]
   void internal_force(const double* u, double* f) const;
   /// The same and K = df_int/du.
   void internal_force(const double* u, double* f, Matrix& K) const;
-  /// f = f_ext(t).
-  void external_force(double t, double* f) const;
-  /// f += M v' + g + c v.
+  /// The three parts of these, for solvers that ask the law themselves with a history of their own: strains at u, and
+  /// the forces and the stiffness of a chain whose sections carry given resultants.
+  void strains(const double* u, section::Field& strains) const;
+  void internal_force_of(const section::Field& stresses, const double* u, double* f) const;
+  void stiffness_of(const section::Field& stresses, const section::TangentField& tangents, const double* u,
+                    Matrix& K) const;
+  /// f = f_ext at u: moments that keep their direction in space depend on the rotation of their node.
+  void external_force(LoadState at, const double* u, double* f) const;
+  /// K -= df_ext/du.
+  void subtract_external_tangent(LoadState at, const double* u, Matrix& K) const;
+  /// f += M v' + g + C v, with all viscous forces.
   void add_inertia_and_drag(const Motion& motion, double* f) const;
-  /// K += the derivatives of M v' + g + c v by acceleration, velocity and position, each times its factor.
+  /// K += the derivatives of M v' + g + C v by acceleration, velocity and position, each times its factor. Modal
+  /// damping, which couples all nodes and is small beside the inertia of a step, is left out.
   void add_inertia_and_drag(const Motion& motion, InertiaFactors factors, Matrix& K) const;
   /// Replaces the equations of held unknowns by u = right-hand side.
   void hold(Matrix& K) const;
 
   double kinetic_energy(const double* u, const double* v) const;  ///< [J]
-  double drag_power(const double* v) const;                       ///< [W] v . c v
+  ViscousLoss viscous_power(const double* v) const;               ///< [W] v . C v
   /// M a = f for the unknowns with mass, all others 0: consistent initial accelerations.
   void accelerations(const double* u, const double* v, const double* force, double* a) const;
   /// The mass matrix at u, held unknowns included.
@@ -79,14 +135,25 @@ class System {
   /// Accepts u as the end of a step.
   Accepted commit(const double* u);
 
+  /// Exchanges rotation vectors that have grown long against those of the same rotation by the other way round, and
+  /// their rates. True where there was one: whoever keeps older states must start anew.
+  bool shorten_rotations(double* u, double* v) const;
+
   /// Per section point, two per element, of the last commit. [J/m of unstressed length]
   const section::StepEnergy& step_energy() const { return energy_; }
-  /// Curvature [1/m] and axial strain [-] per section point of the last commit.
+  /// The committed memory of all section points.
+  const section::History& history() const { return history_; }
+  /// Strains per section point of the last commit.
   const section::Field& committed_strains() const { return committed_; }
+  /// Resultants per section point of the last evaluation of forces.
+  const section::Field& last_stresses() const { return stresses_; }
   /// [m] unstressed length that the section point stands for.
   double point_length(std::size_t point) const {
     return beam::gauss_weight * model_.elements[point / beam::gauss_points].length;
   }
+
+  /// What a run has changed since `begin`: the history, the last commit, the counters.
+  void archive(Archive& a);
 
   section::Effort effort() const { return effort_; }
   std::size_t residual_evaluations() const { return residual_evaluations_; }
@@ -94,21 +161,24 @@ class System {
   Stopwatch& stopwatch() const { return stopwatch_; }
 
  private:
-  void find_strains(const double* u) const;
-  void assemble(double* f, Matrix* K) const;
+  void add_springs(const double* u, double* f) const;
+  void add_at_node(std::size_t node, const Eigen::Vector3d& force, double* f) const;
+  void add_along(const model::Body& body, double factor, Matrix& K) const;
 
   const model::Model& model_;
+  std::unique_ptr<Chain> chain_;
   std::vector<bool> held_, mass_;
-  Vector lumped_;  // [kg], [kg m^2] diagonal mass; lumped scenes only
-  Vector drag_;    // [N s/m] per unknown
+  std::vector<std::size_t> moved_;  // unknown of each prescribed motion
+  Vector drag_;                     // [N s/m] per unknown
+  ProportionalDamping damping_;
   section::History history_;
   section::StepEnergy energy_;
   section::Field committed_;
 
   // Working storage of an evaluation.
-  mutable std::vector<beam::PlanarKinematics> kinematics_;
   mutable section::Field strains_, stresses_;
   mutable section::TangentField tangents_;
+  mutable Vector damping_force_;
   mutable section::Effort effort_;
   mutable std::size_t residual_evaluations_ = 0;
   mutable std::size_t jacobian_evaluations_ = 0;

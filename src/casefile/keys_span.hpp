@@ -1,0 +1,152 @@
+#pragma once
+/// \file The keys of the span and of what acts on it; see keys.hpp.
+
+#include "declare.hpp"
+#include "strandyn/casefile/scene.hpp"
+
+namespace strandyn::casefile {
+
+// ---- [span]
+
+template <class V>
+void keys(V& v, Span& s) {
+  v.one_of({"length_m", "nodes_m"}, {.required = true});
+  v.number("length_m", s.length, {.help = "the distance between the supports", .unit = units::m, .above = 0});
+  v.rows("nodes_m", s.nodes,
+         {{{.help = "x", .unit = units::m}, {.help = "y", .unit = units::m}, {.help = "z", .unit = units::m}}},
+         {.help = "the corners of a bend or a frame, at least two"});
+  v.one_of({"tension_kN", "tension_rts", "unstressed_length_m"}, {});
+  v.number("tension_kN", s.tension, {.help = "the tension", .unit = units::kN, .at_least = 0});
+  v.number("tension_rts", s.tension_rts,
+           {.help = "the tension as a part of the rated strength, 0.15 for 15 %", .at_least = 0, .at_most = 1});
+  v.number("unstressed_length_m", s.unstressed_length,
+           {.help = "the length without tension", .unit = units::m, .above = 0});
+  v.number("height_difference_m", s.height_difference,
+           {.help = "the height of the right support above the left one", .unit = units::m});
+  v.number("elements", s.elements, {.help = "the number of elements", .at_least = 1, .word = "auto"});
+  v.choice("grading", s.grading, {.help = "where the elements are short"});
+  v.choice("left", s.left, {.help = "the left support (guided: held but for displacements along the span)"});
+  v.choice("right", s.right, {.help = "the right support (guided: held but for displacements along the span)"});
+  v.choice("dimension", s.dimension, {.help = "whether the span moves in the plane of x and y only"});
+  v.flag("torsion", s.torsion, {.help = "whether the span twists"});
+  v.flag("gravity", s.gravity, {.help = "whether gravity acts, against y"});
+  v.choice("mass", s.mass, {.help = "the mass matrix"});
+  v.flag("rotary_inertia", s.rotary_inertia, {.help = "whether cross sections resist rotation by inertia"});
+  v.flag(
+      "condense_axial", s.condense_axial,
+      {.help = "whether axial unknowns are condensed: transverse motion about a straight span under uniform tension"});
+}
+
+// ---- [[load]], [[motion]], [[body]], [initial], [damping]
+
+template <class V>
+void keys(V& v, Load& l) {
+  v.choice("type", l.type, {.help = "the kind of load", .required = true});
+  v.one_of({"at_m", "per_length"}, {.required = true});
+  v.number("at_m", l.at, {.help = "the distance from the left support", .unit = units::m, .at_least = 0});
+  v.flag("per_length", l.per_length, {.help = "whether the load acts on every metre of the span"});
+  v.when("type", l.type, {LoadType::static_force}, [&] {
+    v.one_of({"force_N", "moment_N_m"}, {.required = true});
+    v.number("force_N", l.force, {.help = "the force, per metre with per_length", .unit = units::N});
+  });
+  v.when("type", l.type, {LoadType::harmonic_force}, [&] {
+    v.one_of({"amplitude_N", "moment_N_m"}, {.required = true});
+    v.number("amplitude_N", l.amplitude,
+             {.help = "the amplitude of the force, per metre with per_length", .unit = units::N});
+    v.one_of({"frequency_Hz", "frequency"}, {.required = true});
+    v.number("frequency_Hz", l.frequency, {.help = "the frequency", .unit = units::Hz, .above = 0});
+    v.mode_word("frequency", l.frequency_mode, {.help = "a natural frequency, written \"mode 12\""});
+  });
+  v.when("type", l.type, {LoadType::static_force, LoadType::harmonic_force}, [&] {
+    v.number("moment_N_m", l.moment,
+             {.help = "the moment or its amplitude, in the place of a force", .unit = units::N_m});
+  });
+  v.when("type", l.type, {LoadType::table}, [&] {
+    v.rows("history", l.history, {{{.help = "time", .unit = units::s}, {.help = "force or moment", .unit = units::N}}},
+           {.help = "the load over time, rows of seconds and newtons (newton metres with moment = true)",
+            .required = true});
+    v.flag("moment", l.history_is_moment, {.help = "whether the history is that of a moment"});
+  });
+  v.vector("direction", l.direction,
+           {.help = "the direction of the force, or the axis of the moment (y, or z for a moment, unless given)"});
+}
+
+template <class V>
+void keys(V& v, Motion& m) {
+  v.choice("type", m.type, {.help = "the kind of motion", .required = true});
+  v.one_of({"at", "at_m"}, {.required = true});
+  v.choice("at", m.support, {.help = "the support that moves"});
+  v.number("at_m", m.at,
+           {.help = "the distance from the left support to the point that moves, along the span",
+            .unit = units::m,
+            .at_least = 0});
+  v.when("type", m.type, {MotionType::static_motion}, [&] {
+    v.one_of({"displacement_mm", "rotation_deg"}, {.required = true});
+    v.number("displacement_mm", m.displacement, {.help = "the displacement", .unit = units::mm});
+    v.number("rotation_deg", m.rotation, {.help = "the rotation", .unit = units::deg});
+  });
+  v.when("type", m.type, {MotionType::harmonic_motion}, [&] {
+    v.one_of({"amplitude_mm", "amplitude_deg"}, {.required = true});
+    v.number("amplitude_mm", m.amplitude, {.help = "the amplitude of the displacement", .unit = units::mm});
+    v.number("amplitude_deg", m.rotation_amplitude, {.help = "the amplitude of the rotation", .unit = units::deg});
+    v.one_of({"frequency_Hz", "frequency"}, {.required = true});
+    v.number("frequency_Hz", m.frequency, {.help = "the frequency", .unit = units::Hz, .above = 0});
+    v.mode_word("frequency", m.frequency_mode, {.help = "a natural frequency, written \"mode 12\""});
+  });
+  v.when("type", m.type, {MotionType::table}, [&] {
+    v.flag("rotation", m.history_is_rotation, {.help = "whether the history is that of a rotation"});
+    const Number value = m.history_is_rotation
+                             ? Number{.help = "rotation", .unit = units::deg}
+                             : Number{.help = "displacement (degrees with rotation = true)", .unit = units::mm};
+    v.rows("history", m.history, {{{.help = "time", .unit = units::s}, value}},
+           {.help = "the motion over time, rows of seconds and millimetres (degrees with rotation = true)",
+            .required = true});
+  });
+  v.vector("direction", m.direction,
+           {.help = "the direction of the displacement, or the axis of the rotation, along x, y or z "
+                    "(y, or z for a rotation, unless given)"});
+}
+
+template <class V>
+void keys(V& v, Body& b) {
+  v.number("at_m", b.at,
+           {.help = "the distance from the left support, along the span",
+            .unit = units::m,
+            .at_least = 0,
+            .required = true});
+  v.number("mass_kg", b.mass, {.help = "the mass", .unit = units::kg, .at_least = 0});
+  v.number("inertia_kg_m2", b.inertia,
+           {.help = "the mass moment of inertia, about every axis", .unit = units::kg_m2, .at_least = 0});
+  v.number("stiffness_N_per_m", b.stiffness,
+           {.help = "the stiffness of a spring to the ground", .unit = units::N_per_m, .at_least = 0});
+  v.number("damping_N_s_per_m", b.damping,
+           {.help = "the constant of a viscous damper to the ground", .unit = units::N_s_per_m, .at_least = 0});
+  v.vector("direction", b.direction, {.help = "the direction of spring and damper (y unless given)"});
+}
+
+template <class V>
+void keys(V& v, Initial& i) {
+  v.number("velocity_mode", i.velocity_mode,
+           {.help = "the mode in which the span moves at the start", .at_least = 1, .required = true});
+  v.number("antinode_velocity_m_per_s", i.antinode_velocity,
+           {.help = "the velocity of its antinode", .unit = units::m_per_s, .required = true});
+}
+
+template <class V>
+void keys(V& v, Rayleigh& r) {
+  v.number("mass", r.mass, {.help = "the factor of the mass matrix", .unit = units::per_s, .at_least = 0});
+  v.number("stiffness", r.stiffness,
+           {.help = "the factor of the stiffness matrix", .unit = units::stiffness_s, .at_least = 0});
+}
+
+template <class V>
+void keys(V& v, Damping& d) {
+  v.rows("modal", d.modal,
+         {{{.help = "mode", .at_least = 1, .whole = true}, {.help = "damping ratio", .at_least = 0, .below = 1}}},
+         {.help = "viscous damping of single modes, rows of mode and damping ratio"});
+  v.table("rayleigh", d.rayleigh, {.help = "viscous damping by the mass and the stiffness matrix"});
+  v.number("drag_N_s_per_m2", d.drag,
+           {.help = "the viscous force per length and velocity", .unit = units::N_s_per_m2, .at_least = 0});
+}
+
+}  // namespace strandyn::casefile

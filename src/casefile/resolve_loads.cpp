@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "resolve.hpp"
+
+namespace strandyn::casefile {
+namespace {
+
+using History = std::vector<std::array<double, 2>>;
+
+constexpr Vector3 across = {0, 1, 0};        // a force or a displacement that names no direction
+constexpr Vector3 out_of_plane = {0, 0, 1};  // a moment or a rotation that names no axis
+
+void check_place(std::optional<double> at, const std::string& path, const Scene& scene) {
+  if (!scene.span || !at || *at <= scene.span->total_length()) return;
+  refuse(scene.source, path + ".at_m", "lies outside the span",
+         fmt::format("give a distance from the left support between 0 and {} metres", scene.span->total_length()));
+}
+
+void check_history(const History& history, const std::string& path, const Scene& scene) {
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    if (history[i][0] > history[i - 1][0]) continue;
+    refuse(scene.source, fmt::format("{}.history[{}]", path, i), "its time does not come after the one before",
+           "give rows of rising time");
+  }
+}
+
+/// Makes a unit vector of the direction, which must stay in the plane of a planar span.
+void resolve_direction(std::optional<Vector3>& direction, bool is_rotation, const std::string& path,
+                       const Scene& scene) {
+  if (!direction) direction = is_rotation ? out_of_plane : across;
+  auto& [x, y, z] = *direction;
+  const double norm = std::hypot(x, y, z);
+  if (norm == 0) refuse(scene.source, path + ".direction", "has no length", "give for example [0, 1, 0]");
+  for (double& component : *direction) component /= norm;
+  if (!scene.span || scene.span->dimension == Dimension::spatial) return;
+  if (!is_rotation && z != 0) {
+    refuse(scene.source, path + ".direction", "leaves the plane of x and y",
+           "give a direction with z = 0, or span.dimension = \"spatial\"");
+  }
+  if (is_rotation && (x != 0 || y != 0)) {
+    refuse(scene.source, path + ".direction", "turns the span out of the plane of x and y",
+           "give the axis [0, 0, 1], or span.dimension = \"spatial\"");
+  }
+}
+
+void resolve_load(Load& load, const std::string& path, const Scene& scene) {
+  check_place(load.at, path, scene);
+  resolve_direction(load.direction, load.is_moment(), path, scene);
+  check_history(load.history, path, scene);
+}
+
+void resolve_motion(Motion& motion, const std::string& path, const Scene& scene) {
+  check_place(motion.at, path, scene);
+  resolve_direction(motion.direction, motion.is_rotation(), path, scene);
+  if (std::ranges::count(*motion.direction, 0.0) != 2) {
+    refuse(scene.source, path + ".direction", "does not lie along x, y or z", "give one [[motion]] per axis");
+  }
+  check_history(motion.history, path, scene);
+}
+
+void resolve_body(Body& body, const std::string& path, const Scene& scene) {
+  check_place(body.at, path, scene);
+  resolve_direction(body.direction, false, path, scene);
+  if (body.mass > 0 || body.inertia > 0 || body.stiffness > 0 || body.damping > 0) return;
+  refuse(scene.source, path, "has neither mass nor spring nor damper",
+         "give one of mass_kg, inertia_kg_m2, stiffness_N_per_m, damping_N_s_per_m above 0");
+}
+
+template <class T, class Resolve>
+void resolve_each(std::vector<T>& list, const char* name, const Scene& scene, const Resolve& resolve) {
+  for (std::size_t i = 0; i < list.size(); ++i) resolve(list[i], fmt::format("{}[{}]", name, i), scene);
+}
+
+}  // namespace
+
+void resolve_loads(Scene& scene) {
+  resolve_each(scene.loads, "load", scene, resolve_load);
+  resolve_each(scene.motions, "motion", scene, resolve_motion);
+  resolve_each(scene.bodies, "body", scene, resolve_body);
+}
+
+}  // namespace strandyn::casefile

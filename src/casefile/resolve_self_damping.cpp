@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "resolve.hpp"
+#include "strandyn/analysis/published_laws.hpp"
+
+namespace strandyn::casefile {
+namespace {
+
+bool has_rated_strength(const Scene& scene) {
+  return scene.conductor && scene.conductor->strand.rated_strength > 0;
+}
+
+void need_rated_strength(const Scene& scene, const std::string& path) {
+  if (has_rated_strength(scene)) return;
+  refuse(scene.source, path, "needs the rated strength of the conductor",
+         "give conductor.rated_strength_kN, or the tension in kilonewtons");
+}
+
+void need_diameter(const Scene& scene, const std::string& path) {
+  if (scene.conductor) return;
+  refuse(scene.source, path, "needs the diameter of the conductor", "give [conductor]");
+}
+
+void check_grid(const Scene& scene) {
+  const SelfDampingAnalysis& a = scene.analysis.self_damping;
+  const bool amplitudes =
+      !a.amplitudes_over_diameter.empty() || !a.antinode_amplitudes.empty() || !a.antinode_velocities.empty();
+  const bool tensions = !a.tensions_rts.empty() || !a.tensions.empty();
+  const bool any = a.has_grid() || amplitudes || tensions;
+  if (!any && a.at.empty()) {
+    refuse(scene.source, "analysis", "has no point",
+           "give frequencies_Hz, amplitude_over_diameter and tensions_rts, or [[analysis.at]] tables");
+  }
+  if (any && !a.has_grid()) {
+    refuse(scene.source, "analysis", "its frequencies are missing", "give frequencies_Hz or modes");
+  }
+  if (any && !amplitudes) {
+    refuse(scene.source, "analysis", "its amplitudes are missing",
+           "give one of amplitude_over_diameter, antinode_amplitude_mm, antinode_velocity_m_per_s");
+  }
+  if (any && !tensions)
+    refuse(scene.source, "analysis", "its tensions are missing", "give tensions_rts or tensions_kN");
+  if (!a.amplitudes_over_diameter.empty()) need_diameter(scene, "analysis.amplitude_over_diameter");
+  if (!a.tensions_rts.empty()) need_rated_strength(scene, "analysis.tensions_rts");
+  for (std::size_t i = 0; i < a.at.size(); ++i) {
+    if (a.at[i].amplitude_over_diameter) {
+      need_diameter(scene, fmt::format("analysis.at[{}].amplitude_over_diameter", i));
+    }
+    if (a.at[i].tension_rts) need_rated_strength(scene, fmt::format("analysis.at[{}].tension_rts", i));
+  }
+  for (std::size_t i = 0; i < a.bands.size(); ++i) {
+    const std::string path = fmt::format("analysis.bands_over_diameter[{}]", i);
+    need_diameter(scene, path);
+    if (a.bands[i][0] < a.bands[i][1]) continue;
+    refuse(scene.source, path, "is empty", "give the smallest amplitude over diameter first, then the largest");
+  }
+}
+
+void check_roads(const Scene& scene) {
+  const SelfDampingAnalysis& a = scene.analysis.self_damping;
+  const bool on_span = (a.mode_shape == ModeShape::clamped && a.takes(DampingRoad::quadrature)) ||
+                       a.takes(DampingRoad::periodic) || a.takes(DampingRoad::transient);
+  if ((on_span || a.names_modes()) && !(scene.span && scene.span->length)) {
+    refuse(scene.source, "span.length_m",
+           fmt::format("is missing, and {} needs it", on_span ? "the road of a point" : "the frequency of a mode"),
+           on_span ? "give [span] with length_m, or road = \"quadrature\" with mode_shape = \"sine\""
+                   : "give [span] with length_m, or frequencies in hertz");
+  }
+  if (!mass_per_length(scene)) {
+    refuse(scene.source, scene.conductor ? "conductor.mass_kg_per_m" : "section.mass_kg_per_m",
+           "is missing, and a vibration needs a mass", "give the mass per length in kilograms per metre");
+  }
+  if (a.simplified.chi_0_at_rated_strength) {
+    need_rated_strength(scene, "analysis.foti_2018.chi_0_at_rated_strength_per_m");
+  }
+  const bool simplified =
+      a.takes(DampingRoad::foti_2018) || std::ranges::any_of(a.energy_balances, [](const EnergyBalanceKeys& balance) {
+        return balance.self_damping == BalancedBy::foti_2018;
+      });
+  const bool given = a.simplified.EI && a.simplified.chi_0_at_rated_strength;
+  if (simplified && !given && !scene.conductor) {
+    refuse(scene.source, "analysis.foti_2018", "is missing, and there is no strand to take its numbers from",
+           "give EI_N_m2 and chi_0_at_rated_strength_per_m, or [conductor]");
+  }
+}
+
+void check_balances(const Scene& scene) {
+  const SelfDampingAnalysis& a = scene.analysis.self_damping;
+  for (std::size_t i = 0; i < a.energy_balances.size(); ++i) {
+    const EnergyBalanceKeys& balance = a.energy_balances[i];
+    const std::string path = fmt::format("analysis.energy_balance[{}]", i);
+    need_diameter(scene, path);
+    if (balance.frequencies.empty() && a.frequencies.empty()) {
+      refuse(scene.source, path, "its frequencies are missing", "give frequencies_Hz there or in [analysis]");
+    }
+    if (balance.self_damping != BalancedBy::published) continue;
+    const auto laws = analysis::published_laws();
+    const auto law = std::ranges::find(laws, balance.law, &analysis::PublishedLaw::name);
+    if (law == laws.end()) {
+      std::string names;
+      for (const analysis::PublishedLaw& known : laws) names += (names.empty() ? "" : ", ") + std::string(known.name);
+      refuse(scene.source, path + ".law", "is no published law that is known here", "choose one of " + names);
+    }
+    if (!law->tension) {
+      refuse(scene.source, path + ".law", "has no exponent of the tension", "choose a law that has one");
+    }
+    if (!balance.factor && !law->takes_common_factor) {
+      refuse(scene.source, path + ".factor", "is missing, and this law was published without one",
+             "give k for metres, hertz and kilonewtons");
+    }
+    if (!balance.factor) need_rated_strength(scene, path + ".law");
+  }
+}
+
+}  // namespace
+
+void check_self_damping(const Scene& scene) {
+  if (scene.analysis.type != AnalysisType::self_damping) return;
+  check_grid(scene);
+  check_roads(scene);
+  check_balances(scene);
+}
+
+}  // namespace strandyn::casefile

@@ -1,0 +1,160 @@
+#include "alpha_stepper.hpp"
+
+#include <cmath>
+
+namespace strandyn::solver {
+
+AlphaStepper::AlphaStepper(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
+                           GeneralizedAlpha method)
+    : system_(system),
+      alpha_m_(method.alpha_m()),
+      alpha_f_(method.alpha_f()),
+      gamma_(method.gamma()),
+      beta_(method.beta()),
+      whole_step_(options.step),
+      max_iterations_(options.max_newton_iterations),
+      test_(options.newton_tolerance, system.unknowns()),
+      h_(options.step),
+      now_{.u = initial.u, .v = initial.v, .w = system.make_vector()},
+      next_(now_),
+      a_(system.make_vector()),
+      next_a_(a_),
+      rate_(initial.v),
+      K_(system.make_matrix()),
+      external_(system.make_vector()),
+      correction_(system.make_vector()),
+      earlier_rates_(system.make_vector()),
+      later_rates_(system.make_vector()) {
+  for (std::size_t i = 0; i < system.unknowns(); ++i) {
+    if (!system.has_mass(i)) now_.v(static_cast<Eigen::Index>(i)) = 0;
+  }
+  restart();
+}
+
+/// Means of one whole step about t, whose sum misses no jump of a prescribed velocity.
+void AlphaStepper::held_accelerations(double t, system::Vector& w) {
+  system_.held_rates(t - whole_step_ / 2, earlier_rates_.data());
+  system_.held_rates(t + whole_step_ / 2, later_rates_.data());
+  for (std::size_t i = 0; i < system_.unknowns(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (system_.is_held(i)) w(at) = (later_rates_(at) - earlier_rates_(at)) / whole_step_;
+  }
+}
+
+void AlphaStepper::restart() {
+  system::Vector force = system_.make_vector();
+  system::Vector internal = system_.make_vector();
+  system_.external_force({.time = time_}, now_.u.data(), force.data());
+  system_.internal_force(now_.u.data(), internal.data());
+  force -= internal;
+  system::Vector held = system_.make_vector();
+  if (system_.has_moving_supports()) {
+    system_.held_rates(time_, now_.v.data());
+    held_accelerations(time_, held);
+    system::Matrix M = system_.make_matrix();
+    system_.mass_matrix(now_.u.data(), M);
+    M.multiply(held.data(), internal.data());
+    force -= internal;
+  }
+  system_.accelerations(now_.u.data(), now_.v.data(), force.data(), now_.w.data());
+  now_.w += held;
+  a_ = now_.w;
+}
+
+void AlphaStepper::shorten_rotations() {
+  next_.u = now_.u;
+  if (!system_.shorten_rotations(next_.u.data(), rate_.data())) return;
+  system_.shorten_rotations(now_.u.data(), now_.v.data());
+  restart();
+}
+
+/// All that `adapt_to` and `predict` do not make anew, and the factors, of a state and a history of long ago.
+void AlphaStepper::archive(Archive& a) {
+  a(time_, h_, now_, a_, rate_, factors_, factored_, newton_iterations_);
+}
+
+/// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.
+void AlphaStepper::adapt_to(double h) {
+  if (h != h_) a_ = now_.w + (h / h_) * (a_ - now_.w);
+  h_ = h;
+  dv_ = gamma_ / (beta_ * h);
+  dw_ = (1 - alpha_m_) / ((1 - alpha_f_) * beta_ * h * h);
+}
+
+/// Goes on as in the step before. A constant acceleration would send modes that the step does not resolve far astray.
+void AlphaStepper::predict(double end) {
+  const double h = h_;
+  for (std::size_t n = 0; n < system_.unknowns(); ++n) {
+    const auto i = static_cast<Eigen::Index>(n);
+    next_.u(i) = now_.u(i) + h * rate_(i);
+    if (!system_.has_mass(n)) {
+      next_.v(i) = next_.w(i) = next_a_(i) = 0;
+      continue;
+    }
+    const double a0 = a_(i);
+    const double a1 = ((rate_(i) - now_.v(i)) / h - (0.5 - beta_) * a0) / beta_;
+    next_a_(i) = a1;
+    next_.v(i) = now_.v(i) + h * ((1 - gamma_) * a0 + gamma_ * a1);
+    next_.w(i) = ((1 - alpha_m_) * a1 + alpha_m_ * a0 - alpha_f_ * now_.w(i)) / (1 - alpha_f_);
+  }
+  system_.held_values({.time = end}, next_.u.data());
+  if (!system_.has_moving_supports()) return;
+  system_.held_rates(end, next_.v.data());
+  held_accelerations(end, next_.w);
+}
+
+/// One Newton correction; `fresh`: with the tangent where it stands. False where that is singular.
+bool AlphaStepper::correct(double end, bool fresh) {
+  const system::Motion motion{.u = next_.u.data(), .v = next_.v.data(), .a = next_.w.data()};
+  system_.external_force({.time = end}, motion.u, external_.data());
+  if (fresh) {
+    system_.internal_force(motion.u, correction_.data(), K_);
+    system_.subtract_external_tangent({.time = end}, motion.u, K_);
+    system_.add_inertia_and_drag(motion, {.acceleration = dw_, .velocity = dv_, .position = 1}, K_);
+    const Stopwatch::Lap lap(system_.stopwatch(), Part::factorization);
+    system_.hold(K_);
+    const bool done = factors_.factorize(K_);
+    factored_ = done ? dw_ : 0;
+    if (!done) return false;
+  } else {
+    system_.internal_force(motion.u, correction_.data());
+  }
+  system_.add_inertia_and_drag(motion, correction_.data());
+  for (std::size_t n = 0; n < system_.unknowns(); ++n) {
+    const auto i = static_cast<Eigen::Index>(n);
+    correction_(i) = system_.is_held(n) ? 0.0 : external_(i) - correction_(i);
+  }
+  const Stopwatch::Lap lap(system_.stopwatch(), Part::solve);
+  factors_.solve(correction_.data());
+  for (std::size_t n = 0; n < system_.unknowns(); ++n) {
+    const auto i = static_cast<Eigen::Index>(n);
+    next_.u(i) += correction_(i);
+    if (!system_.has_mass(n)) continue;
+    next_.v(i) += dv_ * correction_(i);
+    next_.w(i) += dw_ * correction_(i);
+    next_a_(i) += correction_(i) / (beta_ * h_ * h_);
+  }
+  return true;
+}
+
+bool AlphaStepper::step(double end) {
+  adapt_to(end - time_);
+  predict(end);
+  for (int iteration = 0; iteration < max_iterations_; ++iteration) {
+    // Old factors serve as long as two corrections suffice; a step in which wires begin to slip wants its own tangent.
+    const bool stale = std::abs(dw_ - factored_) > 1e-6 * factored_;
+    ++newton_iterations_;
+    if (!correct(end, iteration >= 2 || stale)) return false;
+    const Verdict verdict = test_.judge(iteration, correction_.data());
+    if (verdict == Verdict::lost) return false;
+    if (verdict == Verdict::on_the_way) continue;
+    rate_ = (next_.u - now_.u) / h_;
+    std::swap(now_, next_);
+    a_.swap(next_a_);
+    time_ = end;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace strandyn::solver

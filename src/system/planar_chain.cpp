@@ -1,0 +1,160 @@
+#include <cmath>
+
+#include "chain.hpp"
+#include "strandyn/beam/planar_inertia.hpp"
+
+namespace strandyn::system {
+
+using beam::gauss_points;
+using beam::PlanarMatrix;
+using beam::PlanarVector;
+using enum section::Component;
+
+namespace {
+
+constexpr std::size_t B = 3;  // x, y, rotation z
+
+Eigen::Map<const PlanarVector> of_element(const double* all, std::size_t e) {
+  return Eigen::Map<const PlanarVector>(all + e * B);
+}
+
+Eigen::Map<PlanarVector> of_element(double* all, std::size_t e) {
+  return Eigen::Map<PlanarVector>(all + e * B);
+}
+
+beam::PlanarMotion motion_of_element(const Motion& m, std::size_t e) {
+  return {.q = of_element(m.u, e), .v = of_element(m.v, e), .a = of_element(m.a, e)};
+}
+
+class PlanarChain final : public Chain {
+ public:
+  explicit PlanarChain(const model::Model& model)
+      : consistent_(model.mass_matrix == model::MassMatrix::consistent),
+        mass_per_length_{.mass = model.inertia.mass, .rotary = 0},
+        lumped_(Vector::Zero(static_cast<Eigen::Index>(model.unknowns()))),
+        kinematics_(model.elements.size()) {
+    for (const beam::SpatialElement& element : model.elements) {
+      elements_.push_back({.span = element.span.head<2>(),
+                           .length = element.length,
+                           .rest_angle = std::atan2(element.triad(1, 0), element.triad(0, 0))});
+    }
+    const beam::Inertia at_nodes{.mass = consistent_ ? 0 : model.inertia.mass, .rotary = model.inertia.rotary};
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      of_element(lumped_.data(), e) += beam::lumped_mass(elements_[e], at_nodes);
+    }
+    for (const model::Body& body : model.bodies) {
+      const auto first = static_cast<Eigen::Index>(body.node * B);
+      lumped_.segment<3>(first) += Eigen::Vector3d(body.mass, body.mass, body.inertia);
+    }
+  }
+
+  section::Dimension dimension() const override { return section::Dimension::planar; }
+
+  void find_strains(const double* u, section::Field& strains) override {
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      kinematics_[e] = beam::kinematics(elements_[e], of_element(u, e));
+      for (std::size_t g = 0; g < gauss_points; ++g) {
+        strains[axial][e * gauss_points + g] = kinematics_[e].eps;
+        strains[bending2][e * gauss_points + g] = kinematics_[e].chi[g];
+      }
+    }
+  }
+
+  void add_internal_force(const section::Field& stresses, double* f) const override {
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      of_element(f, e) += beam::internal_force(elements_[e], kinematics_[e], resultants(stresses, e));
+    }
+  }
+
+  void add_stiffness(const section::Field& stresses, const section::TangentField& tangents, Matrix& K) const override {
+    auto& blocks = K.as<B>();
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      beam::PlanarSectionTangent t;
+      for (std::size_t g = 0; g < gauss_points; ++g) {
+        const std::size_t point = e * gauss_points + g;
+        t.N_eps[g] = tangents(axial, axial)[point];
+        t.N_chi[g] = tangents(axial, bending2)[point];
+        t.M_eps[g] = tangents(bending2, axial)[point];
+        t.M_chi[g] = tangents(bending2, bending2)[point];
+      }
+      blocks.add_element(e, beam::tangent(elements_[e], kinematics_[e], resultants(stresses, e), t));
+    }
+  }
+
+  void add_inertia_force(const Motion& m, double* f) const override {
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i) f[i] += lumped_(i) * m.a[i];
+    if (!consistent_) return;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      of_element(f, e) += beam::consistent_inertia_force(elements_[e], mass_per_length_, motion_of_element(m, e));
+    }
+  }
+
+  void add_inertia_tangent(const Motion& m, InertiaFactors factors, Matrix& K) const override {
+    auto& blocks = K.as<B>();
+    add_diagonal(factors.acceleration, K);
+    if (!consistent_) return;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      const auto t = beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e));
+      const PlanarMatrix sum =
+          factors.acceleration * t.mass + factors.velocity * t.velocity + factors.position * t.position;
+      blocks.add_element(e, sum);
+    }
+  }
+
+  void add_mass(const double* u, Matrix& M) const override {
+    add_diagonal(1, M);
+    if (!consistent_) return;
+    auto& blocks = M.as<B>();
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      blocks.add_element(e, beam::consistent_mass(elements_[e], mass_per_length_, of_element(u, e)));
+    }
+  }
+
+  double kinetic_energy(const double* u, const double* v) const override {
+    double sum = 0;
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i) sum += lumped_(i) * v[i] * v[i];
+    if (!consistent_) return sum / 2;
+    for (std::size_t e = 0; e < elements_.size(); ++e) {
+      const PlanarVector rate = of_element(v, e);
+      sum += rate.dot(beam::consistent_mass(elements_[e], mass_per_length_, of_element(u, e)) * rate);
+    }
+    return sum / 2;
+  }
+
+  bool has_mass(std::size_t i) const override { return consistent_ || lumped_(static_cast<Eigen::Index>(i)) > 0; }
+
+  void add_moment(std::size_t node, const Eigen::Vector3d& moment, const double*, double* f) const override {
+    f[node * B + 2] += moment.z();
+  }
+
+ private:
+  static beam::PlanarResultants resultants(const section::Field& stresses, std::size_t e) {
+    beam::PlanarResultants r;
+    for (std::size_t g = 0; g < gauss_points; ++g) {
+      r.N[g] = stresses[axial][e * gauss_points + g];
+      r.M[g] = stresses[bending2][e * gauss_points + g];
+    }
+    return r;
+  }
+
+  void add_diagonal(double factor, Matrix& K) const {
+    auto& blocks = K.as<B>();
+    for (std::size_t node = 0; node < blocks.nodes(); ++node) {
+      blocks.diagonal(node).diagonal() += factor * lumped_.segment<3>(static_cast<Eigen::Index>(node * B));
+    }
+  }
+
+  bool consistent_;
+  beam::Inertia mass_per_length_;  // of the consistent part
+  Vector lumped_;                  // [kg], [kg m^2] what sits at the nodes
+  std::vector<beam::PlanarElement> elements_;
+  std::vector<beam::PlanarKinematics> kinematics_;
+};
+
+}  // namespace
+
+std::unique_ptr<Chain> make_planar_chain(const model::Model& model) {
+  return std::make_unique<PlanarChain>(model);
+}
+
+}  // namespace strandyn::system
