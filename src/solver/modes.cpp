@@ -179,6 +179,7 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
 std::vector<Mode> transverse_modes(const System& system, const Vector& u, std::size_t count) {
   // Others lie in between: ask for a few more until enough transverse ones are found.
   const std::size_t with_mass = unknowns_with_mass(system);
+  if (with_mass < 2) throw ComputationError("the mesh has no free nodes that vibrate; give more [span] elements");
   const std::size_t planes = model::is_spatial(system.model().freedom) ? 2 : 1;
   for (std::size_t asked = planes * count + 4;; asked *= 2) {
     asked = std::min(asked, with_mass - 1);
