@@ -1,5 +1,4 @@
-// The integrators' own damping, what they say about friction, and what the mass matrix changes: tables of
-// docs/integration.md.
+// The integrators' own damping, what they say about friction, and what the mass matrix changes, as tables.
 //   bench_integration [linear] [friction] [mass] [long]      all of them unless named
 #include <fmt/format.h>
 
