@@ -98,12 +98,11 @@ inline BodySpinTangent body_spin_tangent(const BodyTurn& turn, const RotationMot
                          math::skew(c_tt[2] * psi + 2 * c_t[2] * m.rate + c[2] * m.acceleration);
   S_tt.diagonal().array() += c_tt[1];
 
-  const Eigen::Matrix3d W_cross = math::skew(spin.W);
-  const Eigen::Matrix3d W_cross_S = W_cross * S;
+  const Eigen::Matrix3d W_cross_S = math::crossed(spin.W, S);
   return {.S = S,
           .W_psi = S_t + W_cross_S,
           .A_rate = 2 * S_t + W_cross_S,
-          .A_psi = S_tt + math::skew(spin.A) * S + W_cross * S_t};
+          .A_psi = S_tt + math::crossed(spin.A, S) + math::crossed(spin.W, S_t)};
 }
 
 }  // namespace strandyn::beam

@@ -17,8 +17,6 @@ using Local = Eigen::Matrix<double, 7, 1>;
 using LocalMatrix = Eigen::Matrix<double, 7, 7>;
 using Motion = Eigen::Matrix<double, 9, 1>;
 using MotionMatrix = Eigen::Matrix<double, 9, 9>;
-using Turn = Eigen::Matrix<double, 3, 9>;
-using LocalFromMotion = Eigen::Matrix<double, 7, 9>;
 
 /// d chi_k/d(theta_1k, theta_2k) at Gauss point g, times the length.
 std::array<double, 2> curvature_slope(std::size_t g) {
@@ -61,19 +59,33 @@ LocalForce local_force(const SpatialElement& element, const SpatialKinematics& k
   return f;
 }
 
-/// The frame's spin by the motion: the chord turns it about e2 and e3, the mean of the nodes about e1.
-Turn frame_turn(const SpatialKinematics& k) {
-  Turn W = Turn::Zero();
-  W(0, 2) = -k.lean / k.chord;
-  for (int i = 0; i < 2; ++i) {
-    const Vector3d& n = k.node[i].direction;
-    W(0, 3 + 3 * i) = n.y() / (2 * k.upright);
-    W(0, 4 + 3 * i) = -n.x() / (2 * k.upright);
+/// W, the frame's spin by the motion, 3 x 9: the chord turns it about e2 and e3, the mean of the nodes about e1. Only
+/// seven of its entries are not zero, so it is never written out.
+class FrameTurn {
+ public:
+  explicit FrameTurn(const SpatialKinematics& k) : tilt_(1 / k.chord), lean_(-k.lean / k.chord) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Vector3d& n = k.node[i].direction;
+      roll_[i] = {n.y() / (2 * k.upright), -n.x() / (2 * k.upright)};
+    }
   }
-  W(1, 2) = -1 / k.chord;
-  W(2, 1) = 1 / k.chord;
-  return W;
-}
+
+  /// K -= M W, M of as many rows as K.
+  template <class Rows, class Matrix>
+  void subtract_product(const Rows& M, Matrix& K) const {
+    K.col(1) -= tilt_ * M.col(2);
+    K.col(2) -= lean_ * M.col(0) - tilt_ * M.col(1);
+    for (int i = 0; i < 2; ++i) {
+      const auto [about_2, about_3] = roll_[static_cast<std::size_t>(i)];
+      K.col(3 + 3 * i) -= about_2 * M.col(0);
+      K.col(4 + 3 * i) -= about_3 * M.col(0);
+    }
+  }
+
+ private:
+  double tilt_, lean_;
+  std::array<std::array<double, 2>, 2> roll_;
+};
 
 /// The force that works on the motion: on the chord's change, and on the spins of the nodes.
 Motion motion_force(const SpatialKinematics& k, const LocalForce& f) {
@@ -88,24 +100,36 @@ Motion motion_force(const SpatialKinematics& k, const LocalForce& f) {
   return out;
 }
 
-/// Derivative of (stretch, theta_1, theta_2) forces by (stretch, theta_1, theta_2).
+/// Derivative of the forces on (stretch, theta_1, theta_2) by these. With B the derivatives of (eps, chi_1, chi_2,
+/// chi_3), B = [1/l0, s_1, s_2; -+1/l0 of twist; c_i of the two bendings], it is the sum of B^T C B and the tension's
+/// stiffening.
 LocalMatrix section_stiffness(const SpatialElement& element, const SpatialKinematics& k, double tension,
                               const SpatialSectionTangent& t) {
   const double l0 = element.length;
-  const auto slope = strain_slope(k);
-  Eigen::Matrix<double, 4, 7> B = Eigen::Matrix<double, 4, 7>::Zero();
-  B.row(0) << 1 / l0, slope[0].transpose(), slope[1].transpose();
-  B(1, 1) = -1 / l0;
-  B(1, 4) = 1 / l0;
+  const auto s = strain_slope(k);
   LocalMatrix K = LocalMatrix::Zero();
   for (std::size_t g = 0; g < gauss_points; ++g) {
-    for (int i = 0; i < 2; ++i) {
-      const double c = curvature_slope(g)[i] / l0;
-      B(2, 2 + 3 * i) = c;
-      B(3, 3 + 3 * i) = c;
+    const Eigen::Matrix4d C = gauss_weight * l0 * t.C[g];
+    const auto slope = curvature_slope(g);
+    Eigen::Matrix<double, 4, 7> CB;
+    CB.col(0) = C.col(0) / l0;
+    CB.col(4) = C.col(1) / l0;
+    CB.col(1) = -CB.col(4);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double c = slope[i] / l0;
+      const auto at = static_cast<int>(3 * i);
+      CB.col(2 + at) = s[i].y() * C.col(0) + c * C.col(2);
+      CB.col(3 + at) = s[i].z() * C.col(0) + c * C.col(3);
     }
-    const Eigen::Matrix<double, 4, 7> CB = gauss_weight * l0 * t.C[g] * B;
-    K.noalias() += B.transpose() * CB;
+    K.row(0) += CB.row(0) / l0;
+    K.row(1) -= CB.row(1) / l0;
+    K.row(4) += CB.row(1) / l0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double c = slope[i] / l0;
+      const auto at = static_cast<int>(3 * i);
+      K.row(2 + at) += s[i].y() * CB.row(0) + c * CB.row(2);
+      K.row(3 + at) += s[i].z() * CB.row(0) + c * CB.row(3);
+    }
   }
   const double stiffening = tension * l0 / 30;
   for (int axis : {2, 3}) {
@@ -117,21 +141,42 @@ LocalMatrix section_stiffness(const SpatialElement& element, const SpatialKinema
   return K;
 }
 
-/// What the change of geometry adds under the force held: of the lever arms, and of the frame that carries the force.
-MotionMatrix geometric_stiffness(const SpatialKinematics& k, const LocalForce& f, const Motion& force, const Turn& W) {
-  MotionMatrix K = MotionMatrix::Zero();
-  const Vector3d sum = f.spin[0] + f.spin[1];
-  K(1, 0) = sum.z() / (k.chord * k.chord);
-  K(2, 0) = -(sum.y() + k.lean * sum.x()) / (k.chord * k.chord);
-
-  // The directions of the nodes turn with the nodes, against the frame; p is their mean.
-  std::array<Turn, 2> direction;
+/// The same by the stretch and the spins against the frame. Forces go back through the transpose of `from_spin`, which
+/// changes with theta.
+LocalMatrix spin_stiffness(const SpatialElement& element, const SpatialKinematics& k, const LocalForce& f,
+                           const SpatialSectionTangent& t) {
+  LocalMatrix K = section_stiffness(element, k, f.stretch, t);
   for (int i = 0; i < 2; ++i) {
-    const Matrix3d n = math::skew(k.node[i].direction);
-    direction[i].noalias() = n * W;
-    direction[i].middleCols<3>(3 + 3 * i) -= n;
+    const Eigen::Matrix<double, 7, 3> columns = K.middleCols<3>(1 + 3 * i);
+    K.middleCols<3>(1 + 3 * i) = columns.lazyProduct(k.node[i].from_spin);
   }
-  const Eigen::Matrix<double, 2, 9> p = (direction[0] + direction[1]).topRows<2>() / 2;
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Matrix<double, 3, 7> rows = K.middleRows<3>(1 + 3 * i);
+    K.middleRows<3>(1 + 3 * i) = k.node[i].from_spin.transpose().lazyProduct(rows);
+    K.block<3, 3>(1 + 3 * i, 1 + 3 * i) +=
+        math::inverse_spin_map_transposed_slope(k.node[i].rotation, f.theta[i]).lazyProduct(k.node[i].from_spin);
+  }
+  return K;
+}
+
+/// What the change of the lever arms adds under the force held.
+void add_lever_arms(const SpatialKinematics& k, const LocalForce& f, const FrameTurn& W, MotionMatrix& K) {
+  const Vector3d sum = f.spin[0] + f.spin[1];
+  K(1, 0) += sum.z() / (k.chord * k.chord);
+  K(2, 0) -= (sum.y() + k.lean * sum.x()) / (k.chord * k.chord);
+
+  // The directions of the nodes turn with the nodes, against the frame: n x (W - the node's spin). Their first two
+  // rows; p is the mean.
+  std::array<Eigen::Matrix<double, 2, 9>, 2> direction;
+  for (int i = 0; i < 2; ++i) {
+    const Vector3d& n = k.node[i].direction;
+    Eigen::Matrix<double, 2, 3> n_cross;
+    n_cross << 0, -n.z(), n.y(), n.z(), 0, -n.x();
+    direction[i].setZero();
+    direction[i].middleCols<3>(3 + 3 * i) = -n_cross;
+    W.subtract_product(-n_cross, direction[i]);
+  }
+  const Eigen::Matrix<double, 2, 9> p = (direction[0] + direction[1]) / 2;
   K.row(2) += sum.x() / (k.chord * k.upright) * (p.row(0) - k.lean * p.row(1));
   const double roll = sum.x() / (2 * k.upright);
   for (int i = 0; i < 2; ++i) {
@@ -139,7 +184,33 @@ MotionMatrix geometric_stiffness(const SpatialKinematics& k, const LocalForce& f
     K.row(3 + 3 * i) -= roll * (direction[i].row(1) - n.y() / k.upright * p.row(1));
     K.row(4 + 3 * i) += roll * (direction[i].row(0) - n.x() / k.upright * p.row(1));
   }
-  for (int block : {0, 3, 6}) K.middleRows<3>(block).noalias() -= math::skew(force.segment<3>(block)) * W;
+}
+
+/// Derivative of the force on the motion by the motion, both along the frame. With E the stretch and the spins of the
+/// nodes, those against the frame are E - W; S is their stiffness. The frame carries the force with it.
+///     K = (E - W)^T S (E - W) + lever arms - force x W
+MotionMatrix motion_stiffness(const SpatialKinematics& k, const LocalForce& f, const Motion& force,
+                              const LocalMatrix& S) {
+  constexpr std::array kept = {0, 3, 4, 5, 6, 7, 8};  // where E puts the rows of S
+  const FrameTurn W(k);
+  MotionMatrix K = MotionMatrix::Zero();
+  K(kept, kept) = S;
+
+  // -W^T (both nodes' rows of S) (E - W), through the transpose
+  const Eigen::Matrix<double, 3, 7> of_nodes = S.middleRows<3>(1) + S.middleRows<3>(4);
+  Eigen::Matrix<double, 3, 9> against = Eigen::Matrix<double, 3, 9>::Zero();
+  against(Eigen::all, kept) = of_nodes;
+  W.subtract_product(Matrix3d(of_nodes.middleCols<3>(1) + of_nodes.middleCols<3>(4)), against);
+  const Eigen::Matrix<double, 9, 3> against_transposed = against.transpose();
+  auto K_transposed = K.transpose();
+  W.subtract_product(against_transposed, K_transposed);
+
+  // -(E^T (both nodes' columns of S) + force x) W
+  Eigen::Matrix<double, 9, 3> turned;
+  for (int block : {0, 3, 6}) turned.middleRows<3>(block) = math::skew(force.segment<3>(block));
+  turned(kept, Eigen::all) += S.middleCols<3>(1) + S.middleCols<3>(4);
+  W.subtract_product(turned, K);
+  add_lever_arms(k, f, W, K);
   return K;
 }
 
@@ -200,31 +271,7 @@ SpatialMatrix tangent(const SpatialElement& element, const SpatialKinematics& k,
                       const SpatialSectionTangent& t) {
   const LocalForce f = local_force(element, k, r);
   const Motion force = motion_force(k, f);
-  const Turn W = frame_turn(k);
-
-  // A: the stretch and the changes of theta_i by the motion. Forces go back through its transpose; theta's map changes
-  // with theta.
-  LocalFromMotion A = LocalFromMotion::Zero();
-  A(0, 0) = 1;
-  LocalFromMotion spins = A;
-  std::array<Matrix3d, 2> bent;
-  for (int i = 0; i < 2; ++i) {
-    Turn spin = -W;
-    spin.middleCols<3>(3 + 3 * i).diagonal().array() += 1;
-    spins.middleRows<3>(1 + 3 * i) = spin;
-    A.middleRows<3>(1 + 3 * i).noalias() = k.node[i].from_spin * spin;
-    bent[i] = math::inverse_spin_map_transposed_slope(k.node[i].rotation, f.theta[i]);
-  }
-  const LocalFromMotion theta_force = section_stiffness(element, k, f.stretch, t) * A;
-  LocalFromMotion spin_force;
-  spin_force.row(0) = theta_force.row(0);
-  for (int i = 0; i < 2; ++i) {
-    const int rows = 1 + 3 * i;
-    spin_force.middleRows<3>(rows).noalias() = k.node[i].from_spin.transpose() * theta_force.middleRows<3>(rows);
-    spin_force.middleRows<3>(rows).noalias() += bent[i] * A.middleRows<3>(rows);
-  }
-  MotionMatrix K = geometric_stiffness(k, f, force, W);
-  K.noalias() += spins.transpose() * spin_force;
+  const MotionMatrix K = motion_stiffness(k, f, force, spin_stiffness(element, k, f, t));
 
   // From the frame's axes to global ones, from spins to rotation vectors.
   const std::array<Matrix3d, 3> out = {k.frame.transpose(), k.frame.transpose() * k.node[0].spin_map,

@@ -48,17 +48,14 @@ void couple_rotations(SpatialMatrix& m, const Eigen::Matrix4d& table, const TwoM
   }
 }
 
-/// G^T m G for the derivatives `by_psi` of the tangents.
-SpatialMatrix mass_matrix(const Eigen::Matrix4d& table, const TwoMatrices& by_psi) {
-  SpatialMatrix m;
-  couple_rotations(m, table, by_psi, by_psi);
+/// Columns of the translations, for the derivatives `row` of the tangents.
+void couple_translations(SpatialMatrix& m, const Eigen::Matrix4d& table, const TwoMatrices& row) {
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       m.block<3, 3>(6 * i, 6 * j) = table(2 * i, 2 * j) * Eigen::Matrix3d::Identity();
-      m.block<3, 3>(6 * i + 3, 6 * j) = table(2 * i + 1, 2 * j) * by_psi[static_cast<std::size_t>(i)].transpose();
+      m.block<3, 3>(6 * i + 3, 6 * j) = table(2 * i + 1, 2 * j) * row[static_cast<std::size_t>(i)].transpose();
     }
   }
-  return m;
 }
 
 }  // namespace
@@ -71,13 +68,17 @@ RigidInertia nodal_inertia(const SpatialElement& element, const SpatialSectionIn
 }
 
 SpatialMatrix consistent_mass(const SpatialElement& element, double mass, const SpatialVector& q) {
-  const Eigen::Matrix3d a_cross = math::skew(element.triad.col(0));
+  const Eigen::Matrix4d table = mass * hermite_table(element.length);
+  const Eigen::Vector3d a = element.triad.col(0);
   TwoMatrices by_psi;
   for (std::size_t i = 0; i < 2; ++i) {
     const BodyTurn turn(q.segment<3>(i == 0 ? 3 : 9));
-    by_psi[i] = -turn.rotation() * a_cross * turn.spin_map();
+    by_psi[i].noalias() = -turn.rotation() * math::crossed(a, turn.spin_map());
   }
-  return mass_matrix(mass * hermite_table(element.length), by_psi);
+  SpatialMatrix m;
+  couple_rotations(m, table, by_psi, by_psi);
+  couple_translations(m, table, by_psi);
+  return m;
 }
 
 SpatialVector consistent_inertia_force(const SpatialElement& element, double mass, const SpatialMotion& m) {
@@ -98,14 +99,14 @@ SpatialVector consistent_inertia_force(const SpatialElement& element, double mas
   return force;
 }
 
-SpatialInertiaTangent consistent_inertia_tangent(const SpatialElement& element, double mass, const SpatialMotion& m) {
+SpatialMatrix consistent_inertia_tangent(const SpatialElement& element, double mass, const SpatialMotion& m,
+                                         InertiaFactors factors) {
   const Eigen::Matrix4d table = mass * hermite_table(element.length);
   const Eigen::Vector3d a = element.triad.col(0);
-  const Eigen::Matrix3d a_cross = math::skew(a);
   const TwoTurns turn = turns(m.q);
 
-  TwoMatrices S, by_psi;                 // dt/dpsi, and so dt''/dpsi''
-  TwoMatrices by_velocity, by_position;  // of t''
+  TwoMatrices S, by_psi;  // dt/dpsi
+  TwoMatrices changes;    // of t'', by all three in their parts
   std::array<Eigen::Vector3d, 2> acceleration;
   for (std::size_t i = 0; i < 2; ++i) {
     const RotationMotion motion = rotation(m, static_cast<int>(i));
@@ -113,26 +114,32 @@ SpatialInertiaTangent consistent_inertia_tangent(const SpatialElement& element, 
     const BodySpinTangent t = body_spin_tangent(turn[i], motion, spin);
     const Eigen::Matrix3d R = turn[i].rotation();
     const Eigen::Vector3d carried = carried_acceleration(spin, a);
-    const Eigen::Matrix3d by_W =
-        -math::skew(spin.W.cross(a)) - math::skew(spin.W) * a_cross;  // derivative of W x (W x a)
+    const Eigen::Matrix3d W_part = factors.velocity * t.S + factors.position * t.W_psi;
+    const Eigen::Matrix3d A_part =
+        factors.acceleration * t.S + factors.velocity * t.A_rate + factors.position * t.A_psi;
+    // The derivative of W x (W x a) is (W . a) dW - a (W . dW) - (W x a) x dW.
+    Eigen::Matrix3d in_body = spin.W.dot(a) * W_part - math::crossed(spin.W.cross(a), W_part) -
+                              math::crossed(a, A_part) - factors.position * math::crossed(carried, t.S);
+    in_body -= a * (spin.W.transpose() * W_part).eval();
     S[i] = t.S;
     acceleration[i] = R * carried;
-    by_psi[i] = -R * a_cross * t.S;
-    by_velocity[i] = R * (by_W * t.S - a_cross * t.A_rate);
-    by_position[i] = R * (by_W * t.W_psi - a_cross * t.A_psi - math::skew(carried) * t.S);
+    by_psi[i].noalias() = -R * math::crossed(a, t.S);
+    changes[i].noalias() = R * in_body;
   }
-  const FourVectors P = momentum_rate(table, m, acceleration);
 
-  SpatialInertiaTangent tangent{
-      .mass = mass_matrix(table, by_psi), .velocity = SpatialMatrix::Zero(), .position = SpatialMatrix::Zero()};
-  couple_rotations(tangent.velocity, table, by_psi, by_velocity);
-  couple_rotations(tangent.position, table, by_psi, by_position);
+  SpatialMatrix tangent;
+  couple_rotations(tangent, table, by_psi, changes);
+  couple_translations(tangent, factors.acceleration * table, by_psi);
+  if (factors.position == 0) return tangent;
   // The direction that the force on psi is taken along turns as well.
+  const FourVectors P = momentum_rate(table, m, acceleration);
   for (int i = 0; i < 2; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const Eigen::Vector3d along = turn[at].to_body(P.col(2 * i + 1));
-    tangent.position.block<3, 3>(6 * i + 3, 6 * i + 3) +=
-        turn[at].spin_transposed_slope(a.cross(along)) + S[at].transpose() * a_cross * math::skew(along) * S[at];
+    const Eigen::Vector3d S_along = S[at].transpose() * along;
+    const Eigen::Matrix3d turned = S_along * (a.transpose() * S[at]).eval() - a.dot(along) * S[at].transpose() * S[at];
+    tangent.block<3, 3>(6 * i + 3, 6 * i + 3) +=
+        factors.position * (turn[at].spin_transposed_slope(a.cross(along)) + turned);
   }
   return tangent;
 }

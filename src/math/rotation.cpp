@@ -46,12 +46,6 @@ Eigen::Matrix3d slope(const Eigen::Vector3d& psi, const Eigen::Vector3d& m, Coef
 
 }  // namespace
 
-Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d S;
-  S << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return S;
-}
-
 Eigen::Matrix3d rotation(const Eigen::Vector3d& psi) {
   const Stumpff c = stumpff(psi.squaredNorm());
   return polynomial(psi, c[1], c[2]);

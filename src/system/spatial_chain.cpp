@@ -106,10 +106,7 @@ class SpatialChain final : public Chain {
     }
     if (!consistent_) return;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      const auto t = beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e));
-      const SpatialMatrix sum =
-          factors.acceleration * t.mass + factors.velocity * t.velocity + factors.position * t.position;
-      add(e, sum, K);
+      add(e, beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e), factors), K);
     }
   }
 

@@ -155,13 +155,23 @@ TEST_CASE("spatial inertia: the power of the force is the rate of the kinetic en
   }
 }
 
+struct Tangents {
+  SpatialMatrix mass, velocity, position;
+};
+
+Tangents tangents(const SpatialElement& element, const SpatialMotion& m) {
+  return {.mass = consistent_inertia_tangent(element, mass, m, {.acceleration = 1}),
+          .velocity = consistent_inertia_tangent(element, mass, m, {.velocity = 1}),
+          .position = consistent_inertia_tangent(element, mass, m, {.position = 1})};
+}
+
 TEST_CASE("spatial inertia: its tangents are the derivatives of the force at any angle and at none") {
   Random random(6);
   for (int i = 0; i < 50; ++i) {
     const SpatialElement element = random.element();
     SpatialMotion m = random.motion();
     if (i == 0) m.q.setZero();
-    const SpatialInertiaTangent t = consistent_inertia_tangent(element, mass, m);
+    const Tangents t = tangents(element, m);
     const double scale = t.mass.norm() + t.velocity.norm() + t.position.norm();
     for (int j = 0; j < 12; ++j) {
       const auto along = [&](SpatialVector SpatialMotion::*part) -> SpatialVector {
@@ -177,6 +187,10 @@ TEST_CASE("spatial inertia: its tangents are the derivatives of the force at any
     }
     CHECK((t.mass - consistent_mass(element, mass, m.q)).norm() <= 1e-15 * scale);
     CHECK((t.mass - t.mass.transpose()).norm() <= 1e-15 * scale);
+    const SpatialMatrix sum = 3 * t.mass - 2 * t.velocity + 0.5 * t.position;
+    const SpatialMatrix at_once =
+        consistent_inertia_tangent(element, mass, m, {.acceleration = 3, .velocity = -2, .position = 0.5});
+    CHECK((at_once - sum).norm() <= 1e-14 * scale);
   }
 }
 
@@ -199,7 +213,7 @@ TEST_CASE("spatial inertia: a motion in the plane is the planar element's") {
     const SpatialVector spatial_force = consistent_inertia_force(spatial, mass, lifted_m);
     CHECK((spatial_force - lifted(force)).norm() <= 1e-14 * force.norm());
     const InertiaTangent t = consistent_inertia_tangent(planar, inertia, m);
-    const SpatialInertiaTangent s = consistent_inertia_tangent(spatial, mass, lifted_m);
+    const Tangents s = tangents(spatial, lifted_m);
     const double scale = t.mass.norm() + t.velocity.norm() + t.position.norm();
     CHECK(planar_difference(s.mass, t.mass) <= 1e-14 * scale);
     CHECK(planar_difference(s.velocity, t.velocity) <= 1e-14 * scale);
@@ -213,7 +227,7 @@ TEST_CASE("spatial inertia: a tiny rotation loses no digits") {
     const SpatialElement element = random.element();
     SpatialMotion m{
         .q = SpatialVector::Zero(), .v = random.vector<SpatialVector>(2), .a = random.vector<SpatialVector>(3)};
-    const SpatialMatrix slope = consistent_inertia_tangent(element, mass, m).position;
+    const SpatialMatrix slope = tangents(element, m).position;
     SpatialVector expected = consistent_inertia_force(element, mass, m);
     m.q = 1e-9 * random.vector<SpatialVector>(1);
     expected += slope * m.q;  // what is left out is of second order, 1e-18

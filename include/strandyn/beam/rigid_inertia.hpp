@@ -15,6 +15,13 @@ struct RigidInertia {
   Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();  ///< [kg m^2] about the node, in the axes of the reference
 };
 
+/// How much of each derivative of an inertia force a matrix takes.
+struct InertiaFactors {
+  double acceleration = 0;  ///< of the mass matrix
+  double velocity = 0;      ///< of the derivative by velocities
+  double position = 0;      ///< of that by positions
+};
+
 /// Motion of the total rotation vector. |psi| stays below a full turn, where T has no inverse.
 struct RotationMotion {
   Eigen::Vector3d psi;           ///< [rad]

@@ -31,11 +31,9 @@ struct SpatialMotion {
 /// Consistent inertia force d/dt(dT/dv) - dT/dq. `mass` is [kg/m] of unstressed length. [N], [N m]
 SpatialVector consistent_inertia_force(const SpatialElement& element, double mass, const SpatialMotion& m);
 
-/// Its derivatives with respect to accelerations (the mass matrix), velocities and positions.
-struct SpatialInertiaTangent {
-  SpatialMatrix mass, velocity, position;
-};
-SpatialInertiaTangent consistent_inertia_tangent(const SpatialElement& element, double mass, const SpatialMotion& m);
+/// Its derivatives with respect to accelerations (the mass matrix), velocities and positions, each times its factor.
+SpatialMatrix consistent_inertia_tangent(const SpatialElement& element, double mass, const SpatialMotion& m,
+                                         InertiaFactors factors);
 
 /// Mass matrix of the consistent inertia in the position q. [kg], [kg m], [kg m^2]
 SpatialMatrix consistent_mass(const SpatialElement& element, double mass, const SpatialVector& q);

@@ -14,7 +14,20 @@
 namespace strandyn::math {
 
 /// skew(v) u = v x u.
-Eigen::Matrix3d skew(const Eigen::Vector3d& v);
+inline Eigen::Matrix3d skew(const Eigen::Vector3d& v) {
+  Eigen::Matrix3d S;
+  S << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return S;
+}
+
+/// skew(v) M: v x each column.
+inline Eigen::Matrix3d crossed(const Eigen::Vector3d& v, const Eigen::Matrix3d& M) {
+  Eigen::Matrix3d out;
+  out.row(0) = v.y() * M.row(2) - v.z() * M.row(1);
+  out.row(1) = v.z() * M.row(0) - v.x() * M.row(2);
+  out.row(2) = v.x() * M.row(1) - v.y() * M.row(0);
+  return out;
+}
 
 /// The rotation about psi by the angle |psi|, of any size.
 Eigen::Matrix3d rotation(const Eigen::Vector3d& psi);

@@ -15,6 +15,7 @@
 #include <optional>
 #include <vector>
 
+#include "strandyn/beam/rigid_inertia.hpp"
 #include "strandyn/core/archive.hpp"
 #include "strandyn/core/stopwatch.hpp"
 #include "strandyn/math/chain_matrix.hpp"
@@ -43,11 +44,7 @@ struct Motion {
 };
 
 /// How much of each derivative of the inertia and drag forces a matrix takes.
-struct InertiaFactors {
-  double acceleration = 0;  ///< of the mass matrix
-  double velocity = 0;      ///< of d/dv
-  double position = 0;      ///< of d/du
-};
+using beam::InertiaFactors;
 
 /// Viscous damping that is made from the chain itself, about its state of rest: forces C v with constant C.
 struct ProportionalDamping {
