@@ -73,21 +73,6 @@ PlanarMatrix tangent(const PlanarElement& element, const PlanarKinematics& k, co
   const LocalForce f = local_force(element, k, r);
   const auto slope = strain_slope(k);
   const double l0 = element.length;
-  const double c = k.direction.x();
-  const double s = k.direction.y();
-
-  // Rows of B: stretch and rotations in the chord's frame, differentiated by the nodal unknowns.
-  PlanarVector along;
-  along << -c, -s, 0, c, s, 0;
-  PlanarVector across;  // l times the turn of the chord is minus this
-  across << -s, c, 0, s, -c, 0;
-  Eigen::Matrix<double, 3, 6> B;
-  B.row(0) = along.transpose();
-  B.row(1) = across.transpose() / k.chord;
-  B.row(2) = B.row(1);
-  B(1, 2) += 1;
-  B(2, 5) += 1;
-
   Eigen::Matrix3d local = Eigen::Matrix3d::Zero();
   for (std::size_t g = 0; g < gauss_points; ++g) {
     const auto curve = curvature_slope(g);
@@ -103,10 +88,39 @@ PlanarMatrix tangent(const PlanarElement& element, const PlanarKinematics& k, co
   local(1, 2) -= stiffening;
   local(2, 1) -= stiffening;
 
-  PlanarMatrix K = B.transpose() * local * B;
-  K += f.stretch / k.chord * across * across.transpose();
-  const double turn = (f.moment[0] + f.moment[1]) / (k.chord * k.chord);
-  K -= turn * (along * across.transpose() + across * along.transpose());
+  // The same by the chord's end along and across, and by the two rotations: each turns against the chord by across/l.
+  const double l = k.chord;
+  Eigen::Matrix4d Q;
+  Q.topLeftCorner<2, 2>() << local(0, 0), (local(0, 1) + local(0, 2)) / l,  //
+      (local(1, 0) + local(2, 0)) / l, local.bottomRightCorner<2, 2>().sum() / (l * l);
+  Q.topRightCorner<2, 2>() << local(0, 1), local(0, 2),  //
+      (local(1, 1) + local(2, 1)) / l, (local(1, 2) + local(2, 2)) / l;
+  Q.bottomLeftCorner<2, 2>() << local(1, 0), (local(1, 1) + local(1, 2)) / l,  //
+      local(2, 0), (local(2, 1) + local(2, 2)) / l;
+  Q.bottomRightCorner<2, 2>() = local.bottomRightCorner<2, 2>();
+  // What turns with the chord under the force held.
+  const double turn = (f.moment[0] + f.moment[1]) / (l * l);
+  Q(0, 1) -= turn;
+  Q(1, 0) -= turn;
+  Q(1, 1) += f.stretch / l;
+
+  // Along and across by the displacements of node 2 less node 1: global axes.
+  Eigen::Matrix2d turned;
+  turned << k.direction.x(), k.direction.y(), k.direction.y(), -k.direction.x();
+  const Eigen::Matrix2d ends = turned * Q.topLeftCorner<2, 2>() * turned;
+  const Eigen::Matrix2d columns = turned * Q.topRightCorner<2, 2>();
+  const Eigen::Matrix2d rows = Q.bottomLeftCorner<2, 2>() * turned;
+  PlanarMatrix K;
+  for (int i = 0; i < 2; ++i) {
+    const double row_sign = i == 0 ? -1 : 1;
+    for (int j = 0; j < 2; ++j) {
+      const double column_sign = j == 0 ? -1 : 1;
+      K.block<2, 2>(3 * i, 3 * j) = row_sign * column_sign * ends;
+      K.block<2, 1>(3 * i, 3 * j + 2) = row_sign * columns.col(j);
+      K.block<1, 2>(3 * i + 2, 3 * j) = column_sign * rows.row(i);
+      K(3 * i + 2, 3 * j + 2) = Q(2 + i, 2 + j);
+    }
+  }
   return K;
 }
 

@@ -254,17 +254,48 @@ std::size_t respond_all(const PlanarCoefficients& c, const double* history, cons
   return marched;
 }
 
-/// Watches a march to its end: energies of the step, the new gradients, and the box of curvature without slip.
-struct CommitWatcher {
+/// Watches a march to its end: energies of the step, the new gradients, and who slips.
+struct EnergyWatcher {
   double* q_new;
   Mask stuck;
   V chi_before;  // committed minus reference
   V stored, dissipated, trapezoid;
+  Mask slips;
+
+  template <bool kTangent>
+  void on_layer(const Layer&, const LayerLoad<kTangent>&) {}
+
+  void on_cell(const Layer& layer, double cosine, const std::array<CellResult, 2>& cells, const std::array<V, 2>& q0,
+               std::size_t tension_offset, std::size_t compression_offset) {
+    const V stick = set(layer.k * cosine);
+    const V per_k = set(1 / layer.k);
+    const V half = set(0.5);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const V q = cells[side].q;
+      const V before = hn::MulAdd(stick, chi_before, q0[side]);
+      const V weight = set(layer.weight);
+      const V slip = hn::Mul(hn::Sub(cells[side].trial, q), per_k);
+      const V rounding = hn::Mul(set(1e-12), hn::Abs(q));
+      slips = hn::Or(slips, hn::Gt(hn::Abs(hn::Sub(cells[side].trial, q)), rounding));
+      const V at_end = hn::Mul(q, slip);
+      const V at_mean = hn::Mul(hn::Mul(half, hn::Add(q, before)), slip);
+      dissipated = hn::MulAdd(weight, hn::Max(at_end, at_mean), dissipated);
+      trapezoid = hn::MulAdd(weight, at_mean, trapezoid);
+      stored = hn::MulAdd(hn::Mul(weight, hn::Mul(half, per_k)), hn::Mul(q, q), stored);
+      hn::Store(hn::IfThenElse(stuck, q0[side], q), tag, q_new + (side == 0 ? tension_offset : compression_offset));
+    }
+  }
+
+  void end_layer(std::size_t size) { q_new += size; }
+};
+
+/// Watches a march that goes nowhere: the box of curvature in which the committed gradients stay within their limits.
+struct BoxWatcher {
   V low, high, low_slack, high_slack;
-  V drop;          // strain drop of the slack box
-  V numerator;     // of the layer under way
-  double growth;   // [N m] bending force at the cell's edge per curvature while all stick
-  bool outermost;  // the next layer is the first
+  V drop;                 // strain drop of the slack box
+  V numerator;            // of the layer under way
+  double growth = 0;      // [N m] bending force at the cell's edge per curvature while all stick
+  bool outermost = true;  // the next layer is the first
 
   template <bool kTangent>
   void on_layer(const Layer& layer, const LayerLoad<kTangent>& load) {
@@ -278,26 +309,13 @@ struct CommitWatcher {
     outermost = false;
   }
 
-  void on_cell(const Layer& layer, double cosine, const std::array<CellResult, 2>& cells, const std::array<V, 2>& q0,
-               std::size_t tension_offset, std::size_t compression_offset) {
-    const V stick = set(layer.k * cosine);
-    const V per_k = set(1 / layer.k);
-    const V half = set(0.5);
+  void on_cell(const Layer& layer, double cosine, const std::array<CellResult, 2>& cells, const std::array<V, 2>&,
+               std::size_t, std::size_t) {
     const double mid_growth = growth + layer.half_step * layer.k * cosine;
     growth = mid_growth + layer.half_step * layer.k * cosine;
     for (std::size_t side = 0; side < 2; ++side) {
-      const V q = cells[side].q;
-      const V before = hn::MulAdd(stick, chi_before, q0[side]);
-      const V weight = set(layer.weight);
-      const V slip = hn::Mul(hn::Sub(cells[side].trial, q), per_k);
-      const V at_end = hn::Mul(q, slip);
-      const V at_mean = hn::Mul(hn::Mul(half, hn::Add(q, before)), slip);
-      dissipated = hn::MulAdd(weight, hn::Max(at_end, at_mean), dissipated);
-      trapezoid = hn::MulAdd(weight, at_mean, trapezoid);
-      stored = hn::MulAdd(hn::Mul(weight, hn::Mul(half, per_k)), hn::Mul(q, q), stored);
-      hn::Store(hn::IfThenElse(stuck, q0[side], q), tag, q_new + (side == 0 ? tension_offset : compression_offset));
-
       // |q + stick d| <= limit + follow d with d the curvature yet to come: two half-planes.
+      const V q = cells[side].q;
       const double follow = (side == 0 ? 1 : -1) * layer.slope * mid_growth;
       const V limit = hn::MulAdd(set(layer.slope), cells[side].mid_force, numerator);
       const V lost = hn::Mul(set(layer.limit_per_strain), drop);
@@ -326,7 +344,7 @@ struct CommitWatcher {
     }
   }
 
-  void end_layer(std::size_t size) { q_new += size; }
+  void end_layer(std::size_t) {}
 };
 
 HWY_INLINE void replace(double* row_of_lanes, Mask keep, V value) {
@@ -355,37 +373,42 @@ std::size_t commit_all(const PlanarCoefficients& c, double* history, const Strai
     V quadrature_error = zero;
     if (!hn::AllTrue(tag, stuck)) {
       double* q = at + scalar_rows * block_lanes;
-      CommitWatcher w{.q_new = q,
+      EnergyWatcher w{.q_new = q,
                       .stuck = stuck,
                       .chi_before = hn::Sub(row[committed_chi], row[reference_chi]),
                       .stored = zero,
                       .dissipated = zero,
                       .trapezoid = zero,
-                      .low = set(-without_bound),
-                      .high = set(without_bound),
-                      .low_slack = set(-without_bound),
-                      .high_slack = set(without_bound),
-                      .drop = c.layers.empty() ? set(without_bound) : zero,  // a single wire cannot slip
-                      .numerator = zero,
-                      .growth = 0,
-                      .outermost = true};
+                      .slips = hn::Not(hn::Eq(zero, zero))};
       const V M = march<false>(c, q, eps, dchi, w).value;
       stored = hn::IfThenElse(stuck, stored, w.stored);
       dissipated = hn::IfThenElse(stuck, zero, w.dissipated);
       quadrature_error = hn::IfThenElse(stuck, zero, hn::Sub(w.dissipated, w.trapezoid));
-
-      const Mask two_boxes = hn::And(hn::Gt(w.drop, zero), hn::Le(w.low_slack, w.high_slack));
       replace(writable(reference_chi), stuck, chi);
       replace(writable(reference_eps), stuck, eps);
       replace(writable(reference_M), stuck, M);
       replace(writable(reference_U), stuck, w.stored);
+
+      // Who slips will march again, without a box. Who has come to rest gets one, by a march from here to here.
+      const Mask rests = hn::AndNot(hn::Or(stuck, w.slips), hn::Eq(zero, zero));
+      BoxWatcher box{.low = set(-without_bound),
+                     .high = set(without_bound),
+                     .low_slack = set(-without_bound),
+                     .high_slack = set(without_bound),
+                     .drop = c.layers.empty() ? set(without_bound) : zero,  // a single wire cannot slip
+                     .numerator = zero};
+      if (!hn::AllFalse(tag, rests)) march<false>(c, q, eps, zero, box);
+      const Mask two_boxes = hn::And(hn::Gt(box.drop, zero), hn::Le(box.low_slack, box.high_slack));
       // The state just committed is admissible whatever rounding says of a point that stands on its limit.
-      replace(writable(stick_low), stuck, hn::Min(w.low, zero));
-      replace(writable(stick_high), stuck, hn::Max(w.high, zero));
-      replace(writable(stick_low_slack), stuck, hn::IfThenElse(two_boxes, w.low_slack, hn::Min(w.low, zero)));
-      replace(writable(stick_high_slack), stuck, hn::IfThenElse(two_boxes, w.high_slack, hn::Max(w.high, zero)));
-      const V inverse = hn::Div(set(1), hn::IfThenElse(two_boxes, w.drop, set(1 / without_bound)));
-      replace(writable(inverse_drop), stuck, inverse);
+      const V low = hn::Min(box.low, zero);
+      const V high = hn::Max(box.high, zero);
+      const auto boxed = [&](V value, double none) HWY_ATTR { return hn::IfThenElse(rests, value, set(none)); };
+      replace(writable(stick_low), stuck, boxed(low, 1));
+      replace(writable(stick_high), stuck, boxed(high, -1));
+      replace(writable(stick_low_slack), stuck, boxed(hn::IfThenElse(two_boxes, box.low_slack, low), 1));
+      replace(writable(stick_high_slack), stuck, boxed(hn::IfThenElse(two_boxes, box.high_slack, high), -1));
+      const V inverse = hn::Div(set(1), hn::IfThenElse(two_boxes, box.drop, set(1 / without_bound)));
+      replace(writable(inverse_drop), stuck, boxed(inverse, 0));
       marched += hn::CountTrue(tag, hn::Not(stuck));
     }
     hn::Store(chi, tag, writable(committed_chi));

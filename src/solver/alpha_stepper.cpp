@@ -70,7 +70,7 @@ void AlphaStepper::shorten_rotations() {
 
 /// All that `adapt_to` and `predict` do not make anew, and the factors, of a state and a history of long ago.
 void AlphaStepper::archive(Archive& a) {
-  a(time_, h_, now_, a_, rate_, factors_, factored_, newton_iterations_);
+  a(time_, h_, now_, a_, rate_, patience_, factors_, factored_, newton_iterations_);
 }
 
 /// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.
@@ -141,13 +141,13 @@ bool AlphaStepper::step(double end) {
   adapt_to(end - time_);
   predict(end);
   for (int iteration = 0; iteration < max_iterations_; ++iteration) {
-    // Old factors serve as long as two corrections suffice; a step in which wires begin to slip wants its own tangent.
     const bool stale = std::abs(dw_ - factored_) > 1e-6 * factored_;
     ++newton_iterations_;
-    if (!correct(end, iteration >= 2 || stale)) return false;
+    if (!correct(end, iteration >= patience_ || stale)) return false;
     const Verdict verdict = test_.judge(iteration, correction_.data());
     if (verdict == Verdict::lost) return false;
     if (verdict == Verdict::on_the_way) continue;
+    patience_ = old_factors_serve(iteration + 1);
     rate_ = (next_.u - now_.u) / h_;
     std::swap(now_, next_);
     a_.swap(next_a_);

@@ -49,6 +49,7 @@ class AlphaStepper {
   system::Vector rate_;  // (u1 - u0)/h of the step before: where the next one is looked for
   double dv_ = 0;        // [1/s] dv1/du1 of the step at hand
   double dw_ = 0;        // [1/s^2] dw1/du1
+  int patience_ = 2;     // corrections that old factors may serve
   double factored_ = 0;  // [1/s^2] the same in the factors at hand; 0: there are none
   system::Matrix K_;
   math::ChainFactors factors_;

@@ -20,7 +20,7 @@ ChainProblem::ChainProblem(system::System& system)
       right_side_(external_.size()),
       product_(external_.size()) {}
 
-void ChainProblem::residual(double t, const double* y, const double* yp, double* f) {
+void ChainProblem::residual(double t, const double* y, const double* yp, double* f, bool with_tangent) {
   const std::size_t n = unknowns();
   std::copy(y, y + n, u_.data());
   std::copy(y + n, y + 2 * n, v_.data());
@@ -32,7 +32,12 @@ void ChainProblem::residual(double t, const double* y, const double* yp, double*
     system_.held_rates(t, held_rates_.data());
   }
   double* balance = f + n;
-  system_.internal_force(y, balance);
+  if (with_tangent) {
+    system_.internal_force(y, balance, K_);
+  } else {
+    system_.internal_force(y, balance);
+  }
+  tangent_at_hand_ = with_tangent;
   system_.add_inertia_and_drag({.u = y, .v = y + n, .a = yp + n}, balance);
   for (std::size_t i = 0; i < n; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -43,7 +48,8 @@ void ChainProblem::residual(double t, const double* y, const double* yp, double*
 
 void ChainProblem::refresh(double cj) {
   const system::Motion motion{.u = u_.data(), .v = v_.data(), .a = a_.data()};
-  system_.internal_force(u_.data(), internal_.data(), K_);
+  if (!tangent_at_hand_) system_.internal_force(u_.data(), internal_.data(), K_);
+  tangent_at_hand_ = false;  // what follows makes another matrix of it
   system_.subtract_external_tangent({.time = time_}, u_.data(), K_);
   system_.add_inertia_and_drag(motion, {.acceleration = cj * cj, .velocity = cj, .position = 1}, K_);
   G_.set_zero();

@@ -15,8 +15,9 @@ class ChainProblem {
   std::size_t unknowns() const { return system_.unknowns(); }
   std::string unknown_name(std::size_t i) const { return system_.model().unknown_name(i); }
 
-  /// F(t, y, y'), each of length 2 * unknowns: first u, then v.
-  void residual(double t, const double* y, const double* yp, double* f);
+  /// F(t, y, y'), each of length 2 * unknowns: first u, then v. `with_tangent`: `refresh` will follow, so the law is
+  /// asked once for force and tangent.
+  void residual(double t, const double* y, const double* yp, double* f, bool with_tangent);
   /// Factors the matrix at the state of the last residual.
   void refresh(double cj);
   /// Solves J x = b with the factors at hand.
@@ -37,6 +38,7 @@ class ChainProblem {
   system::Vector held_, held_rates_;  // what prescribed motions say; zero for all others
   system::Vector right_side_, product_;
   double cj_ = 0;
+  bool tangent_at_hand_ = false;  // K_ is the chain's at the state of the last residual
 };
 
 }  // namespace strandyn::solver

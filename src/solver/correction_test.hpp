@@ -9,6 +9,12 @@
 
 namespace strandyn::solver {
 
+/// How many corrections of the next step old factors may serve, after one that took so many. Where two were not enough
+/// wires slip, and will go on to: there it pays to take fresh factors sooner.
+inline int old_factors_serve(int corrections_before) {
+  return corrections_before > 2 ? 1 : 2;
+}
+
 enum class Verdict { arrived, on_the_way, lost };
 
 class CorrectionTest {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ida_memory.hpp"
 #include "strandyn/core/error.hpp"
@@ -125,7 +126,7 @@ void IdaSession::archive(Archive& a) {
   a(stepped);
   // IDA sets itself up in its first step; what comes of it is replaced.
   if (a.reads() && stepped && !step(options_.end_time)) throw ComputationError(failure());
-  a(time_, largest_, rejected_before_, iterations_before_, problem_);
+  a(time_, largest_, patience_, rejected_before_, iterations_before_, problem_);
   vector(y_.get());
   vector(yp_.get());
   if (stepped) {
@@ -189,8 +190,10 @@ int IdaSession::guarded(F&& work) {
 
 int IdaSession::residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self) {
   auto& session = *static_cast<IdaSession*>(self);
-  return session.guarded(
-      [&] { session.problem_.residual(t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp), N_VGetArrayPointer(f)); });
+  const bool with_tangent = std::exchange(session.tangent_follows_, false);
+  return session.guarded([&] {
+    session.problem_.residual(t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp), N_VGetArrayPointer(f), with_tangent);
+  });
 }
 
 int IdaSession::refresh(realtype, realtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector, N_Vector,
@@ -206,9 +209,8 @@ int IdaSession::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
     SUNNonlinSolGetCurIter(session.nonlinear_.get(), &iteration);
     realtype cj = 0;
     IDAGetCurrentCj(session.ida_.get(), &cj);
-    // Old factors serve as long as two corrections suffice; a step in which wires begin to slip wants its own tangent.
     const bool stale = std::abs(cj / session.problem_.factored_cj() - 1) > 0.01;
-    if (iteration >= 2 || stale) session.problem_.refresh(cj);
+    if (iteration >= session.patience_ || stale) session.problem_.refresh(cj);
     session.problem_.solve(N_VGetArrayPointer(b), N_VGetArrayPointer(x));
   });
 }
@@ -220,8 +222,10 @@ int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector corr
   SUNNonlinSolGetCurIter(solver, &iteration);
   switch (session.test_.judge(iteration, N_VGetArrayPointer(correction))) {
     case Verdict::arrived:
+      session.patience_ = old_factors_serve(iteration + 1);
       return SUN_NLS_SUCCESS;
     case Verdict::on_the_way:
+      session.tangent_follows_ = iteration + 1 >= session.patience_;
       return SUN_NLS_CONTINUE;
     default:
       return SUN_NLS_CONV_RECVR;

@@ -92,6 +92,8 @@ class IdaSession {
   std::array<double, 4> largest_{};  // motion so far: translation, rotation, and their rates
   CorrectionTest test_;
   std::size_t rejected_before_ = 0, iterations_before_ = 0;  // until the last restart
+  int patience_ = 2;                                         // corrections that old factors may serve
+  bool tangent_follows_ = false;  // on the next residual: the correction after it takes fresh factors
   std::exception_ptr exception_;
 };
 

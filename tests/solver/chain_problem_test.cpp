@@ -44,7 +44,7 @@ Eigen::MatrixXd matrix_by_differences(ChainProblem& problem, const State& s, dou
           const Vector y = s.y + step * unit;
           const Vector yp = s.yp + cj * step * unit;
           Vector f(s.y.size());
-          problem.residual(0, y.data(), yp.data(), f.data());
+          problem.residual(0, y.data(), yp.data(), f.data(), false);
           return f;
         },
         h);
@@ -70,7 +70,7 @@ void check_solves(LawPointer law, const SpanOptions& options, double h) {
   const State s = random_state(system, random);
   const Eigen::MatrixXd J = matrix_by_differences(problem, s, h);
   Vector f(s.y.size());
-  problem.residual(0, s.y.data(), s.yp.data(), f.data());
+  problem.residual(0, s.y.data(), s.yp.data(), f.data(), false);
   problem.refresh(cj);
   CHECK(problem.factored_cj() == cj);
 
@@ -119,7 +119,7 @@ TEST_CASE("chain problem: the residual holds supports and massless velocities at
   s.y(0) = 0.5;       // a support that has moved
   s.y(n + 5) = 0.25;  // the velocity of a rotation without mass
   Vector f(2 * n);
-  problem.residual(0, s.y.data(), s.yp.data(), f.data());
+  problem.residual(0, s.y.data(), s.yp.data(), f.data(), false);
   CHECK(f(n) == 0.5);
   CHECK(f(5) == 0.25);
   CHECK(f(4) == s.yp(4) - s.y(n + 4));
@@ -140,12 +140,12 @@ TEST_CASE("chain problem: evaluations leave no trace in the residual of another 
   const State s = random_state(system, random);
   Vector first(s.y.size());
   Vector again(s.y.size());
-  problem.residual(0, s.y.data(), s.yp.data(), first.data());
+  problem.residual(0, s.y.data(), s.yp.data(), first.data(), false);
   for (int i = 0; i < 5; ++i) {
     const State other = random_state(system, random);
-    problem.residual(0, other.y.data(), other.yp.data(), again.data());
+    problem.residual(0, other.y.data(), other.yp.data(), again.data(), false);
     problem.refresh(cj);
   }
-  problem.residual(0, s.y.data(), s.yp.data(), again.data());
+  problem.residual(0, s.y.data(), s.yp.data(), again.data(), false);
   CHECK(first == again);
 }

@@ -19,8 +19,9 @@
 /// rounding. Error of the midpoint rule: O(N^-2), 0.14 % of chi_0 for Curlew at 36 points, 0.04 % at 72.
 ///
 /// A point whose curvature since its last slip can reach no limit sticks at every angle: M follows EI_max and no march
-/// is made. The range of curvature for which this is certain is found at commit; it is exact at the committed tension
-/// and safe where the tension has dropped (the limits are linear in both, so a box between two boxes is feasible).
+/// is made. The range of curvature for which this is certain is found at a commit without slip; it is exact at the
+/// committed tension and safe where the tension has dropped (the limits are linear in both, so a box between two boxes
+/// is feasible).
 
 #include "strandyn/conductor/strand.hpp"
 #include "strandyn/section/law.hpp"
