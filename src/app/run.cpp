@@ -69,6 +69,10 @@ ExitCode run(const RunArguments& arguments) {
   report::Progress progress({.out = &std::cerr, .terminal = report::stderr_is_terminal(), .quiet = arguments.quiet});
   const study::Hooks hooks{.stop = interrupted,
                            .progress = [&](double part, std::string_view what) { progress.update(part, what); },
+                           .announce =
+                               [&](std::string_view what) {
+                                 if (!arguments.quiet) fmt::print(stderr, "{}\n", what);
+                               },
                            .folder = folder,
                            .resume = arguments.resume};
   const std::filesystem::path checkpoint = folder / study::checkpoint_name;

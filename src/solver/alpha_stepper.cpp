@@ -59,6 +59,7 @@ void AlphaStepper::restart() {
   system_.accelerations(now_.u.data(), now_.v.data(), force.data(), now_.w.data());
   now_.w += held;
   a_ = now_.w;
+  starting_ = true;
 }
 
 void AlphaStepper::shorten_rotations() {
@@ -70,7 +71,7 @@ void AlphaStepper::shorten_rotations() {
 
 /// All that `adapt_to` and `predict` do not make anew, and the factors, of a state and a history of long ago.
 void AlphaStepper::archive(Archive& a) {
-  a(time_, h_, now_, a_, rate_, patience_, factors_, factored_, newton_iterations_);
+  a(time_, h_, now_, a_, starting_, rate_, patience_, factors_, factored_, newton_iterations_);
 }
 
 /// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.
@@ -137,24 +138,39 @@ bool AlphaStepper::correct(double end, bool fresh) {
   return true;
 }
 
-bool AlphaStepper::step(double end) {
-  adapt_to(end - time_);
+/// The end of the step by Newton's method.
+bool AlphaStepper::solve(double end) {
   predict(end);
   for (int iteration = 0; iteration < max_iterations_; ++iteration) {
     const bool stale = std::abs(dw_ - factored_) > 1e-6 * factored_;
     ++newton_iterations_;
     if (!correct(end, iteration >= patience_ || stale)) return false;
     const Verdict verdict = test_.judge(iteration, correction_.data());
-    if (verdict == Verdict::lost) return false;
     if (verdict == Verdict::on_the_way) continue;
     patience_ = old_factors_serve(iteration + 1);
-    rate_ = (next_.u - now_.u) / h_;
-    std::swap(now_, next_);
-    a_.swap(next_a_);
-    time_ = end;
-    return true;
+    return verdict == Verdict::arrived;
   }
   return false;
+}
+
+bool AlphaStepper::step(double end) {
+  adapt_to(end - time_);
+  if (!solve(end)) return false;
+  if (starting_) {
+    // Where there is no step behind, a first try tells how the acceleration changes, and so what it is at the time of
+    // a.
+    a_ = now_.w + (alpha_m_ - alpha_f_) * (next_.w - now_.w);
+    if (!solve(end)) {
+      a_ = now_.w;
+      return false;
+    }
+    starting_ = false;
+  }
+  rate_ = (next_.u - now_.u) / h_;
+  std::swap(now_, next_);
+  a_.swap(next_a_);
+  time_ = end;
+  return true;
 }
 
 }  // namespace strandyn::solver

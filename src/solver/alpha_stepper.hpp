@@ -35,6 +35,7 @@ class AlphaStepper {
   void adapt_to(double h);
   void predict(double end);
   void held_accelerations(double t, system::Vector& w);
+  bool solve(double end);
   bool correct(double end, bool fresh);
 
   system::System& system_;
@@ -46,11 +47,12 @@ class AlphaStepper {
   double h_;  // [s] the step that `a_` goes with
   State now_, next_;
   system::Vector a_, next_a_;
-  system::Vector rate_;  // (u1 - u0)/h of the step before: where the next one is looked for
-  double dv_ = 0;        // [1/s] dv1/du1 of the step at hand
-  double dw_ = 0;        // [1/s^2] dw1/du1
-  int patience_ = 2;     // corrections that old factors may serve
-  double factored_ = 0;  // [1/s^2] the same in the factors at hand; 0: there are none
+  bool starting_ = true;  // no step lies behind the state: a_ is not known yet
+  system::Vector rate_;   // (u1 - u0)/h of the step before: where the next one is looked for
+  double dv_ = 0;         // [1/s] dv1/du1 of the step at hand
+  double dw_ = 0;         // [1/s^2] dw1/du1
+  int patience_ = 2;      // corrections that old factors may serve
+  double factored_ = 0;   // [1/s^2] the same in the factors at hand; 0: there are none
   system::Matrix K_;
   math::ChainFactors factors_;
   system::Vector external_, correction_;

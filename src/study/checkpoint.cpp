@@ -19,7 +19,7 @@ namespace {
 /// Raise the version with every change of what is archived, wherever it is.
 Seal checkpoint_seal() {
   static const std::string writer = fmt::format("strandyn {} ({})", program_version, program_revision);
-  return {.kind = "checkpoint", .version = 1, .writer = writer};
+  return {.kind = "checkpoint", .version = 2, .writer = writer};
 }
 
 /// The case without what does not touch its numbers.

@@ -75,17 +75,14 @@ json vibration_json(const Scene& scene, SpanAtRest& span) {
   // Counted on slipping spans: two to three residuals a step, one for the ledger, one commit.
   constexpr double evaluations_per_step = 5;
   const double points = static_cast<double>(span.built.model.elements.size() * beam::gauss_points);
-  return {{"frequency_Hz", plan.frequency},
-          {"cycles", plan.cycles},
-          {"until_steady", plan.until_steady},
-          {"step_s", plan.step},
-          {"steps_per_cycle", plan.steps_per_cycle()},
-          {"predicted_numerical_damping_ratio", plan.numerical_damping_ratio},
-          {"loop_length_m", casefile::loop_length(scene, span.built.tension, plan.frequency)},
-          {"expected_cost",
-           {{"steps", steps},
-            {"section_evaluations", steps * evaluations_per_step * points},
-            {"wall_s_at_least", steps * evaluations_per_step * evaluation_time(span)}}}};
+  json out = plan_json(plan);
+  out["cycles"] = plan.cycles;
+  out["until_steady"] = plan.until_steady;
+  out["loop_length_m"] = casefile::loop_length(scene, span.built.tension, plan.frequency);
+  out["expected_cost"] = {{"steps", steps},
+                          {"section_evaluations", steps * evaluations_per_step * points},
+                          {"wall_s_at_least", steps * evaluations_per_step * evaluation_time(span)}};
+  return out;
 }
 
 }  // namespace

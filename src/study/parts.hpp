@@ -39,10 +39,11 @@ void add_shape(const SpanAtRest& span, double load_factor, CaseResult& result);
 struct VibrationPlan {
   double frequency = 0;  ///< [Hz] that a cycle refers to; 0 where a transient names none
   std::size_t cycles = 0;
-  bool until_steady = false;           ///< then `cycles` is the most that will be run
-  double step = 0;                     ///< [s] its bound, where the integrator chooses steps by their error
-  system::Vector velocity;             ///< initial
-  double numerical_damping_ratio = 0;  ///< [-] what the integrator will take from a mode of this frequency
+  bool until_steady = false;  ///< then `cycles` is the most that will be run
+  double step = 0;            ///< [s] its bound, where the integrator chooses steps by their error
+  system::Vector velocity;    ///< initial
+  /// [-] what the integrator will take from a mode of this frequency; empty where it chooses its steps itself.
+  std::optional<double> numerical_damping_ratio;
   /// Where the program has chosen the step (`auto`): the physical damping it expects, and the share it aims at.
   std::optional<double> expected_damping_ratio;
   double aimed_share = 0;
@@ -55,6 +56,11 @@ solver::IntegratorOptions options_of(const casefile::Scene& scene, const Vibrati
 
 /// Gives the system the scene's modal and Rayleigh damping, about its state of rest.
 void set_proportional_damping(const casefile::Scene& scene, SpanAtRest& span);
+
+/// `plan` of summary.json: step, frequency, and the damping that is predicted of them.
+nlohmann::ordered_json plan_json(const VibrationPlan& plan);
+/// Keeps the plan in the summary and tells it in words, before the run.
+void announce(const casefile::Scene& scene, const VibrationPlan& plan, const Hooks& hooks, CaseResult& result);
 
 /// Finds the modes that the scene speaks of, gives the loads their frequencies, and decides the step.
 VibrationPlan plan_vibration(const casefile::Scene& scene, SpanAtRest& span);

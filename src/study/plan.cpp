@@ -86,7 +86,9 @@ void choose_step(const Scene& scene, SpanAtRest& span, const system::Vector& sha
   } else {
     plan.step = integrator.step_size.value_or(1 / (plan.frequency * integrator.steps_per_cycle.value_or(200)));
   }
-  plan.numerical_damping_ratio = numerical_damping_ratio(integrator, plan.frequency, plan.step);
+  if (integrator.step != StepRule::adaptive && plan.frequency > 0) {
+    plan.numerical_damping_ratio = numerical_damping_ratio(integrator, plan.frequency, plan.step);
+  }
 }
 
 }  // namespace

@@ -145,6 +145,7 @@ void run_transient(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   add_rest(span, result);
   if (is_loaded_at_start(span.built.model)) span.apply_static_loads();
   const VibrationPlan plan = plan_vibration(scene, span);
+  announce(scene, plan, hooks, result);
 
   const double duration = scene.analysis.transient.duration;
   observe::ProbeHistories probes(probe_nodes(scene, span.built.model));

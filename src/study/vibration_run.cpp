@@ -78,7 +78,7 @@ void add_steady(const Scene& scene, const VibrationPlan& plan, const std::vector
   steady["damping_ratio"] = s.damping_ratio;
   if (s.numerical_share) steady["numerical_share"] = *s.numerical_share;
   steady["steps_per_cycle"] = plan.steps_per_cycle();
-  steady["predicted_numerical_damping_ratio"] = plan.numerical_damping_ratio;
+  if (plan.numerical_damping_ratio) steady["predicted_numerical_damping_ratio"] = *plan.numerical_damping_ratio;
   const double energy = steady["kinetic_J"].get<double>() + steady["elastic_J"].get<double>();
   if (energy > 0) {
     steady["measured_numerical_damping_ratio"] =
@@ -165,6 +165,7 @@ void run_vibration(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   add_rest(span, result);
   span.apply_static_loads();
   const VibrationPlan plan = plan_vibration(scene, span);
+  announce(scene, plan, hooks, result);
 
   const double loop_length = casefile::loop_length(scene, span.built.tension, plan.frequency);
   warn_of_coarse_mesh(span, loop_length, result);

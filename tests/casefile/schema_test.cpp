@@ -53,7 +53,7 @@ TEST_CASE("the schema says unit, default, bounds, choices and need of a key") {
   const ordered_json& span = schema["properties"]["span"]["properties"];
   CHECK(span["length_m"]["exclusiveMinimum"] == 0);
   CHECK(span["length_m"]["description"] == "the distance between the supports in metres");
-  CHECK(span["mass"]["default"] == "lumped");
+  CHECK(span["mass"]["default"] == "consistent");
   CHECK(span["left"]["enum"] == ordered_json::array({"clamped", "pinned", "roller", "free", "guided"}));
   CHECK(span["elements"]["anyOf"][1]["const"] == "auto");
   const ordered_json& points = schema["properties"]["section"]["properties"]["points"];

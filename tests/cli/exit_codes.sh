@@ -25,9 +25,12 @@ expect_said "$scratch/file"
 expect_code 4 "a report of nothing" "$program" report "$scratch/nothing"
 
 expect_code 3 "a bound that breaks" "${short[@]}" --out "$scratch/bound" --set integrator.steps_per_cycle=40 \
-  --set analysis.cycles=30 --set integrator.max_numerical_share=1e-4
-expect_said "steps_per_cycle ="
+  --set analysis.cycles=30 --set integrator.max_numerical_share=1e-3
+expect_said "integrator.steps_per_cycle ="
 grep -q '"status": "failed"' "$scratch/bound/summary.json" || fail "the broken bound is not in summary.json"
+named=$(sed -n 's/.*steps_per_cycle = \([0-9]*\) would hold it.*/\1/p' "$scratch/said")
+expect_code 0 "the steps that a broken bound names" "${short[@]}" --out "$scratch/held" --set integrator.steps_per_cycle="$named" \
+  --set analysis.cycles=30 --set integrator.max_numerical_share=1e-3
 
 cat "$scratch/short.toml" - > "$scratch/strict.toml" <<'EOF'
 [accept]

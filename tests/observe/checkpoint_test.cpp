@@ -164,7 +164,7 @@ TEST_CASE("checkpoint: ten random steps of a slipping span from which generalize
 }
 
 TEST_CASE("checkpoint: a step that was cut goes on within its parts") {
-  Scene scene{.amplitude = 3e-2, .steps = 50, .most_iterations = 4};
+  Scene scene{.amplitude = 3e-2, .steps = 50, .most_iterations = 5};
   CHECK(check_resume(generalized_alpha, scene).summary.rejected_steps > 2);
   CHECK(check_resume(ida, scene).summary.rejected_steps > 2);
 }

@@ -53,9 +53,10 @@ TEST_CASE("drag is booked as viscous dissipation and nothing else") {
   const auto s =
       study::run_case(span_scene(decay, {"section.law=stick", "damping.drag_N_s_per_m2=2"})).summary["steady"];
   CHECK(s["friction_dissipation_J"] == 0.0);
-  // zeta = c/(2 m omega) of a uniform drag; the mean amplitude over ten decaying cycles stands for each of them.
+  // zeta = c/(2 m omega) of a uniform drag. Its energy is taken as that of a sine of the antinode amplitude; a clamped
+  // span flat at its ends has less, 4 % at small swing with 160 elements.
   const double omega = 2 * std::numbers::pi * s["frequency_Hz"].get<double>();
-  check_close(s["damping_ratio"], 2 / (2 * 1.981 * omega), {.relative = 0.03});
+  check_close(s["damping_ratio"], 2 / (2 * 1.981 * omega), {.relative = 0.05});
 }
 
 TEST_CASE("a decay starts at the amplitude that was asked for") {
@@ -123,7 +124,7 @@ TEST_CASE("what contradicts itself is refused at its key") {
       {"integrator.step=adaptive", "integrator.method=generalized-alpha"},
       {"span.condense_axial=true", "span.dimension=spatial"},
       {"span.torsion=false", "span.dimension=spatial", "span.height_difference_m=2"},
-      {"damping.rayleigh={mass=0,stiffness=1e-5}"},
+      {"damping.rayleigh={mass=0,stiffness=1e-5}", "span.mass=lumped"},
       {"section.law=\"masing\"", "span.dimension=spatial"}};
   for (const std::vector<std::string>& asked : pairs) {
     CAPTURE(asked.front());

@@ -84,7 +84,7 @@ struct Span {
   Dimension dimension = Dimension::planar;
   bool torsion = true;
   bool gravity = false;
-  MassMatrix mass = MassMatrix::lumped;
+  MassMatrix mass = MassMatrix::consistent;
   bool rotary_inertia = false;
   bool condense_axial = false;
 
@@ -177,7 +177,7 @@ struct Integrator {
   std::optional<int> steps_per_cycle;         ///< `fixed`: this (200 unless said) or
   std::optional<double> step_size;            ///< [s]
   double rtol = 1e-6;                         ///< [-] `adaptive`
-  double newton_tolerance = 1e-9;             ///< [-]
+  double newton_tolerance = 1e-12;            ///< [m, rad]
   std::optional<double> max_numerical_share;  ///< [-] of the physical dissipation over the last cycles; empty: default
   std::optional<double> checkpoint_every;     ///< [s] of wall time; empty: none
 };

@@ -17,6 +17,7 @@ namespace strandyn::study {
 struct Hooks {
   std::function<bool()> stop;                                       ///< true: end early, keep what there is
   std::function<void(double fraction, std::string_view)> progress;  ///< how far, in words
+  std::function<void(std::string_view)> announce = {};              ///< what is going to be integrated, before it is
   /// Where a study of many points keeps the finished ones, and a long run its checkpoints; empty: nowhere.
   std::filesystem::path folder = {};
   bool resume = false;  ///< go on from the checkpoint in `folder`, if there is one
