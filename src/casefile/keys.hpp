@@ -247,6 +247,29 @@ void keys(V& v, TransientAnalysis& a) {
 }
 
 template <class V>
+void keys(V& v, SweepAnalysis& a) {
+  v.number("relative_width", a.relative_width,
+           {.help = "how far the sweep reaches below and above the linear frequency, as a part of it",
+            .above = 0,
+            .below = 1});
+  v.number("from_Hz", a.from,
+           {.help = "the frequency where the sweep begins (from relative_width unless given)",
+            .unit = units::Hz,
+            .above = 0});
+  v.number("to_Hz", a.to,
+           {.help = "the frequency where it ends; it may lie below from_Hz", .unit = units::Hz, .above = 0});
+  v.number(
+      "frequency_step_Hz", a.frequency_step,
+      {.help = "the largest step of frequency (a fortieth of the way unless given)", .unit = units::Hz, .above = 0});
+  v.number(
+      "swing_step", a.swing_step,
+      {.help = "the largest change of the response from point to point, as a part of it", .above = 0, .at_most = 1});
+  v.number("backbone_points", a.backbone_points,
+           {.help = "the number of resonances that are solved at parts of the peak's amplitude", .at_least = 1});
+  v.table("periodic", a.periodic, {.help = "how the periodic response is solved"});
+}
+
+template <class V>
 void keys(V& v, Analysis& a) {
   using enum AnalysisType;
   v.choice("type", a.type, {.help = "what is computed", .required = true});
@@ -257,6 +280,7 @@ void keys(V& v, Analysis& a) {
   v.when("type", a.type, {decay}, [&] { keys(v, a.decay); });
   v.when("type", a.type, {forced}, [&] { keys(v, a.forced); });
   v.when("type", a.type, {transient}, [&] { keys(v, a.transient); });
+  v.when("type", a.type, {sweep}, [&] { keys(v, a.sweep); });
   v.when("type", a.type, {self_damping}, [&] { keys(v, a.self_damping); });
 }
 

@@ -26,6 +26,15 @@ void keys(V& v, DampingAt& a) {
 }
 
 template <class V>
+void keys(V& v, PeriodicKeys& p) {
+  v.number("harmonics", p.harmonics, {.help = "the number of harmonics of the motion", .at_least = 1, .at_most = 31});
+  v.number("samples", p.samples,
+           {.help = "the number of samples of a cycle in which friction is followed, at least 4 harmonics + 4",
+            .at_least = 8,
+            .multiple_of = 2});
+}
+
+template <class V>
 void keys(V& v, SimplifiedLoss& s) {
   v.number("EI_N_m2", s.EI,
            {.help = "the bending stiffness that friction gives (EI_max less EI_min of the strand unless given)",
@@ -84,6 +93,7 @@ void keys(V& v, SelfDampingAnalysis& a) {
          {{{.help = "the smallest antinode amplitude over the diameter", .at_least = 0},
            {.help = "the largest one", .above = 0}}},
          {.help = "bands of amplitude over diameter that are fitted one by one, rows of smallest and largest"});
+  v.table("periodic", a.periodic, {.help = "how the road \"periodic\" is solved"});
   v.table("foti_2018", a.simplified, {.help = "the numbers of the road \"foti-2018\""});
   v.tables("energy_balance", a.energy_balances, {.help = "wind against self-damping of the bare conductor"});
 }

@@ -19,7 +19,7 @@ bool needs_span(AnalysisType type) {
 
 bool is_dynamic(AnalysisType type) {
   return type == AnalysisType::modes || type == AnalysisType::decay || type == AnalysisType::forced ||
-         type == AnalysisType::transient;
+         type == AnalysisType::transient || type == AnalysisType::sweep;
 }
 
 void check_tables(const Scene& scene) {
@@ -179,13 +179,15 @@ void check_analysis(const Scene& scene) {
   }
   const bool cycle = std::ranges::count(scene.loads, LoadType::harmonic_force, &Load::type) > 0 ||
                      std::ranges::count(scene.motions, MotionType::harmonic_motion, &Motion::type) > 0;
-  if (analysis.type == AnalysisType::forced && !cycle) {
+  const bool driven = analysis.type == AnalysisType::forced || analysis.type == AnalysisType::sweep;
+  if (driven && !cycle) {
     refuse(scene.source, "analysis.type", "has no load that sets the cycle",
            "give a [[load]] with type = \"harmonic-force\", or a [[motion]] with type = \"harmonic-motion\", and its "
            "frequency");
   }
   check_static(scene);
   check_transient(scene);
+  check_sweep(scene);
   check_self_damping(scene);
 }
 

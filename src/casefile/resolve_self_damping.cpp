@@ -86,6 +86,13 @@ void check_roads(const Scene& scene) {
   }
 }
 
+void check_periodic(const PeriodicKeys& periodic, const Source& source) {
+  if (periodic.samples >= 4 * periodic.harmonics + 4) return;
+  refuse(source, "analysis.periodic.samples",
+         fmt::format("are too few for {} harmonics of the motion", periodic.harmonics),
+         fmt::format("give {} or more", 4 * periodic.harmonics + 4));
+}
+
 void check_balances(const Scene& scene) {
   const SelfDampingAnalysis& a = scene.analysis.self_damping;
   for (std::size_t i = 0; i < a.energy_balances.size(); ++i) {
@@ -116,10 +123,24 @@ void check_balances(const Scene& scene) {
 
 }  // namespace
 
+void check_sweep(const Scene& scene) {
+  if (scene.analysis.type != AnalysisType::sweep) return;
+  const SweepAnalysis& sweep = scene.analysis.sweep;
+  check_periodic(sweep.periodic, scene.source);
+  if (sweep.from.has_value() != sweep.to.has_value()) {
+    refuse(scene.source, sweep.from ? "analysis.from_Hz" : "analysis.to_Hz", "needs the other end of the sweep",
+           "give both from_Hz and to_Hz, or relative_width");
+  }
+  if (sweep.from && *sweep.from == *sweep.to) {
+    refuse(scene.source, "analysis.to_Hz", "is where the sweep begins", "give another frequency than from_Hz");
+  }
+}
+
 void check_self_damping(const Scene& scene) {
   if (scene.analysis.type != AnalysisType::self_damping) return;
   check_grid(scene);
   check_roads(scene);
+  check_periodic(scene.analysis.self_damping.periodic, scene.source);
   check_balances(scene);
 }
 

@@ -110,13 +110,13 @@ class Newton {
     bool probed = false;  // do the derivatives that are there serve once more?
     for (solution.iterations = 1; solution.iterations <= options_.max_iterations; ++solution.iterations) {
       s.at = balance_.evaluate(s.point);
-      solution.section_evaluations += s.at.loops.evaluations;
+      solution.effort += s.at.loops.effort;
       const bool is_slow = before > 0 && solution.correction > slow * before;
       before = solution.correction;
       if (!probed) s.model = balance_.secant_model(s.at);
       if (is_slow || (!probed && balance_.softening(s.model) > slight)) {
         s.model = balance_.probed_model(s.at);
-        solution.section_evaluations += s.model.evaluations;
+        solution.effort += s.model.effort;
         probed = true;
       }
       PeriodicPoint change;
@@ -280,10 +280,11 @@ PeriodicSolution PeriodicSolver::follow(const PeriodicSolution& from, double amp
   }
   PeriodicSolution solution = resonance(amplitude, start);
   if (solution.converged || halvings == 0) return solution;
-  const std::size_t spent = solution.section_evaluations;
+  const section::Effort spent = solution.effort;
   const PeriodicSolution middle = follow(from, std::sqrt(amplitude * from.amplitude), halvings - 1);
   if (middle.converged) solution = follow(middle, amplitude, halvings - 1);
-  solution.section_evaluations += spent + middle.section_evaluations;
+  solution.effort += spent;
+  solution.effort += middle.effort;
   return solution;
 }
 
@@ -305,10 +306,11 @@ std::vector<PeriodicSolution> PeriodicSolver::sweep(const SweepOptions& sweep) c
   const Newton newton(system_, balance, setup_, options_);
   const double heading = sweep.to > sweep.from ? 1 : -1;
   std::vector<PeriodicSolution> solutions;
+  const auto goes_on = [&] { return solutions.back().converged && (!sweep.each || sweep.each(solutions.back())); };
   PeriodicPoint start = point_of(from_rest(sweep.from, sweep.drive));
   Solved here = newton.solve(start, forced_at(start.omega, sweep.drive));
   solutions.push_back(here.solution);
-  if (!here.solution.converged) return solutions;
+  if (!goes_on()) return solutions;
 
   Closings ahead = forced_at(start.omega, sweep.drive)(here.point);
   ahead[0].by_omega = heading;
@@ -344,7 +346,7 @@ std::vector<PeriodicSolution> PeriodicSolver::sweep(const SweepOptions& sweep) c
       next.point.omega = turn * sweep.to;
     }
     solutions.push_back(next.solution);
-    if (!next.solution.converged) break;
+    if (!goes_on()) break;
     if (next.solution.iterations <= 5) part = std::min(1.0, 1.5 * part);
     ahead = Closings{arc.closing(balance, next.point), given_drive(next.point, sweep.drive)};
     here = std::move(next);

@@ -188,7 +188,7 @@ SectionModel HarmonicBalance::probed_model(const BalanceEvaluation& at) const {
       }
       const SectionLoops loops = lead_around(*system_.model().law, system_.history(), changed,
                                              {.max_cycles = at.loops.cycles, .closure = options_.closure});
-      model.evaluations += loops.evaluations;
+      model.effort += loops.effort;
       for (std::size_t s = 0; s < slipping; ++s) {
         const MatrixXd answer = moments(loops.stresses, model.slipping[s]) - moment[s];
         model.extra[s].col(c * coefficients + b) += answer.reshaped() / step[s];

@@ -45,7 +45,7 @@ struct SectionModel {
   /// What comes on top, of each of them: coefficients of the moments by coefficients of the curvatures, axis after
   /// axis.
   std::vector<Eigen::MatrixXd> extra;
-  std::uint64_t evaluations = 0;
+  section::Effort effort = {};
 };
 
 class HarmonicBalance {

@@ -43,17 +43,16 @@ SectionLoops lead_around(const section::Law& law, const section::History& rest, 
   SectionLoops loops{.stresses = strains, .friction = {}, .quadrature_error = {}};
   section::History history = rest;
   section::StepEnergy energy(points);
-  section::Effort effort;
-  for (std::size_t j = 1; j <= samples; ++j) effort += law.commit(history, strains[j % samples], energy);
+  for (std::size_t j = 1; j <= samples; ++j) loops.effort += law.commit(history, strains[j % samples], energy);
   Field before = strains.front();
-  effort += law.respond(history, strains.front(), before, nullptr);
+  loops.effort += law.respond(history, strains.front(), before, nullptr);
   for (loops.cycles = 2;; ++loops.cycles) {
     loops.friction.assign(points, 0.0);
     loops.quadrature_error.assign(points, 0.0);
     for (std::size_t j = 1; j <= samples; ++j) {
       const Field& strain = strains[j % samples];
-      effort += law.commit(history, strain, energy);
-      effort += law.respond(history, strain, loops.stresses[j % samples], nullptr);
+      loops.effort += law.commit(history, strain, energy);
+      loops.effort += law.respond(history, strain, loops.stresses[j % samples], nullptr);
       for (std::size_t p = 0; p < points; ++p) {
         loops.friction[p] += energy.dissipated[p];
         loops.quadrature_error[p] += energy.quadrature_error[p];
@@ -63,7 +62,6 @@ SectionLoops lead_around(const section::Law& law, const section::History& rest, 
     if (loops.gap <= options.closure || loops.cycles >= options.max_cycles) break;
     before = loops.stresses.front();
   }
-  loops.evaluations = effort.evaluations;
   return loops;
 }
 

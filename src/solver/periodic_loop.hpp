@@ -20,7 +20,7 @@ struct SectionLoops {
   int cycles = 0;                        ///< that were led around
   double gap = 0;                        ///< change in the last of them, of the largest resultant of its kind
   std::size_t worst = 0;                 ///< the point where it is
-  std::uint64_t evaluations = 0;
+  section::Effort effort = {};
 };
 
 /// From `rest` to the strains of the first sample and on. The samples follow each other in equal parts of the cycle.

@@ -17,6 +17,7 @@ void run_static(const casefile::Scene& scene, const Hooks& hooks, CaseResult& re
 void run_modes(const casefile::Scene& scene, CaseResult& result);
 void run_vibration(const casefile::Scene& scene, const Hooks& hooks, CaseResult& result);
 void run_transient(const casefile::Scene& scene, const Hooks& hooks, CaseResult& result);
+void run_sweep(const casefile::Scene& scene, const Hooks& hooks, CaseResult& result);
 void run_self_damping(const casefile::Scene& scene, const Hooks& hooks, CaseResult& result);
 
 /// A span at rest in its static state, ready to be set in motion.

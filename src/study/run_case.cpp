@@ -40,6 +40,8 @@ void analyse(const casefile::Scene& scene, const Hooks& hooks, CaseResult& resul
       return run_vibration(scene, hooks, result);
     case AnalysisType::transient:
       return run_transient(scene, hooks, result);
+    case AnalysisType::sweep:
+      return run_sweep(scene, hooks, result);
     case AnalysisType::self_damping:
       return run_self_damping(scene, hooks, result);
   }

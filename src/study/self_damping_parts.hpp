@@ -53,6 +53,10 @@ std::optional<analysis::PowerLaw> add_fits(const casefile::Scene& scene, nlohman
 void add_onsets(const casefile::Scene& scene, const Quadrature& quadrature, const std::vector<Point>& points,
                 nlohmann::ordered_json& summary);
 
+/// `roads` of the summary: points that were reached by several roads, each road beside the dearest of them, and what is
+/// behind a difference of the free span. A warning where they differ by more than a twentieth.
+void add_road_comparison(const Quadrature& quadrature, nlohmann::ordered_json& summary);
+
 struct BalanceInputs {
   const casefile::Scene& scene;
   const std::vector<Point>& points;

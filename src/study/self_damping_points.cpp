@@ -11,7 +11,8 @@ using casefile::Scene;
 
 namespace {
 
-/// [Hz] of a mode of the span: the string's on the road of the sine, the clamped beam's with all wires sticking else.
+/// [Hz] of a mode of the span: the string's on the road of the sine, the beam's with all wires sticking else; clamped
+/// where the quadrature goes over clamped modes, or where the span is.
 double mode_frequency(const Scene& scene, casefile::DampingRoad road, double tension, int mode) {
   const double mass = *casefile::mass_per_length(scene);
   const double length = *scene.span->length;
@@ -21,7 +22,10 @@ double mode_frequency(const Scene& scene, casefile::DampingRoad road, double ten
   if (string) return exact::frequency({.tension = tension, .mass_per_length = mass, .length = length}, mode);
   const exact::TensionedBeam beam = {
       .tension = tension, .EI = casefile::section_numbers(scene).EI_max, .mass_per_length = mass, .length = length};
-  return exact::TensionedBeamMode(beam, exact::BeamEnds::clamped, mode).frequency();
+  const bool pinned = road != casefile::DampingRoad::quadrature && scene.span->left == casefile::Support::pinned &&
+                      scene.span->right == casefile::Support::pinned;
+  const exact::BeamEnds ends = pinned ? exact::BeamEnds::pinned : exact::BeamEnds::clamped;
+  return exact::TensionedBeamMode(beam, ends, mode).frequency();
 }
 
 /// The grid as single points, in its order.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "self_damping_parts.hpp"
+#include "self_damping_periodic.hpp"
 #include "side_by_side.hpp"
 #include "strandyn/analysis/wind_power.hpp"
 #include "strandyn/exact/foti_2018.hpp"
@@ -97,6 +98,28 @@ const SectionalLoss& Quadrature::at_tension(double tension) const {
   return std::ranges::find(tables_, tension, &Table::tension)->loss;
 }
 
+double Quadrature::free_span_curvature(const Point& point) const {
+  if (!goes_over_clamped_modes(scene_)) return string_curvature(mass_, point);
+  return point.antinode_amplitude *
+         curvature_of(clamped_mode_at(beam_of(scene_, numbers_, point.tension), point.frequency)).free_span;
+}
+
+double Quadrature::loss_at(double tension, double curvature) const {
+  constexpr int places = 24;
+  std::vector<double> amplitudes;
+  for (int i = 0; i < places; ++i) {
+    amplitudes.push_back(curvature * std::sin((i + 0.5) * std::numbers::pi / (2 * places)));
+  }
+  const auto law = casefile::build_law(scene_, section::Dimension::planar);
+  section::Effort effort;
+  double sum = 0;
+  for (double loss : loss_per_cycle(*law, {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max},
+                                    amplitudes, {}, effort)) {
+    sum += loss;
+  }
+  return sum / places;
+}
+
 PointResult Quadrature::operator()(const Point& point) const {
   const SectionalLoss& loss = at_tension(point.tension);
   if (!goes_over_clamped_modes(scene_)) {
@@ -137,12 +160,13 @@ Road make_road(DampingRoad road, const RoadContext& context) {
     case DampingRoad::foti_2018:
       return simplified_road(context.scene);
     case DampingRoad::periodic:
+      return periodic_road(context);
     case DampingRoad::transient:
       break;
   }
   refuse(context.scene.source, "analysis.road",
          fmt::format("\"{}\" is not there in this version", casefile::name_of(road)),
-         "choose \"quadrature\" or \"foti-2018\"");
+         "choose \"quadrature\", \"periodic\" or \"foti-2018\"");
 }
 
 }  // namespace strandyn::study

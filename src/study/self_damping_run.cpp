@@ -4,6 +4,7 @@
 
 #include "parts.hpp"
 #include "self_damping_parts.hpp"
+#include "self_damping_periodic.hpp"
 #include "side_by_side.hpp"
 
 namespace strandyn::study {
@@ -33,8 +34,6 @@ class March {
     side_by_side(left_.size(), [this](std::size_t i) { compute(left_[i]); });
   }
 
-  const section::Effort& effort() const { return effort_; }
-
  private:
   bool stop() {
     const std::lock_guard lock(mutex_);
@@ -43,11 +42,9 @@ class March {
 
   void compute(std::size_t i) {
     if (stop()) return;
-    section::Effort effort;
-    const std::optional<json> row = compute_row(scene_, roads_.at(points_[i].road), points_[i], effort);
-    const std::lock_guard lock(mutex_);
-    effort_ += effort;
+    const std::optional<json> row = compute_row(scene_, roads_.at(points_[i].road), points_[i]);
     if (!row) return;
+    const std::lock_guard lock(mutex_);
     log_.add(i, *row);
     tell();
   }
@@ -66,7 +63,6 @@ class March {
   std::vector<std::size_t> left_;
   std::map<DampingRoad, Road> roads_;
   std::mutex mutex_;
-  section::Effort effort_;
 };
 
 /// points_<road>.csv, one line per point that has numbers.
@@ -112,16 +108,20 @@ void run_self_damping(const Scene& scene, const Hooks& hooks, CaseResult& result
   json& s = result.summary;
   s["points"] = json::array();
   std::size_t failed = 0;
+  section::Effort effort;  // from the rows: a study that was interrupted counts like one that was not
   for (const auto& [number, row] : log.rows()) {
     s["points"].push_back(row);
     failed += row.contains("failed") ? 1 : 0;
+    effort += {.evaluations = row.value("section_evaluations", std::uint64_t{0}),
+               .sweeps = row.value("section_sweeps", std::uint64_t{0})};
   }
-  s["cost"]["section_evaluations"] = march.effort().evaluations;
-  s["cost"]["section_sweeps"] = march.effort().sweeps;
+  s["cost"]["section_evaluations"] = effort.evaluations;
+  s["cost"]["section_sweeps"] = effort.sweeps;
   add_point_tables(s["points"], result);
   const std::optional<analysis::PowerLaw> law = add_fits(scene, s);
   if (quadrature) {
     add_onsets(scene, *quadrature, points, s);
+    add_road_comparison(*quadrature, s);
     add_loss_table(*quadrature, result);
   }
   if (log.rows().size() < points.size()) {
@@ -146,6 +146,11 @@ void describe_self_damping(const Scene& scene, json& out) {
                   {"roads", roads},
                   {"tensions_N", distinct_tensions(points)},
                   {"mode_shape", casefile::name_of(scene.analysis.self_damping.mode_shape)}};
+  double evaluations = 0;
+  for (const Point& point : points) {
+    if (point.road == DampingRoad::periodic) evaluations += expected_evaluations(scene, point);
+  }
+  if (evaluations > 0) out["study"]["expected_cost"] = {{"periodic_section_evaluations", evaluations}};
 }
 
 }  // namespace strandyn::study

@@ -79,14 +79,13 @@ json published_json(const Scene& scene, const analysis::PowerLawFit& fit,
 
 }  // namespace
 
-std::optional<json> compute_row(const Scene& scene, const Road& road, const Point& point, section::Effort& effort) {
+std::optional<json> compute_row(const Scene& scene, const Road& road, const Point& point) {
   PointResult result;
   try {
     result = road(point);
   } catch (const ComputationError& error) {
     result.failure = error.what();
   }
-  effort += result.effort;
   if (result.stopped) return std::nullopt;
   json row = {{"frequency_Hz", point.frequency},
               {"antinode_amplitude_m", point.antinode_amplitude},
@@ -94,6 +93,10 @@ std::optional<json> compute_row(const Scene& scene, const Road& road, const Poin
               {"road", casefile::name_of(point.road)}};
   if (scene.conductor) {
     row["amplitude_over_diameter"] = point.antinode_amplitude / scene.conductor->strand.outer_diameter();
+  }
+  if (result.effort.evaluations > 0) {
+    row["section_evaluations"] = result.effort.evaluations;
+    row["section_sweeps"] = result.effort.sweeps;
   }
   if (!result.failure.empty()) {
     row["failed"] = result.failure;

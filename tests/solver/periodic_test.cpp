@@ -282,7 +282,7 @@ TEST_CASE("periodic: at the smallest dissipating amplitude it asks the sections 
   const double energy = v.mode.modal_mass * velocity * velocity / 2;
   const double zeta = s.loop_work / (4 * pi * energy);
   const double cycles = std::log(200) / (2 * pi * zeta);
-  const double ratio = cycles * steady.evaluations_per_cycle / static_cast<double>(s.section_evaluations);
+  const double ratio = cycles * steady.evaluations_per_cycle / static_cast<double>(s.effort.evaluations);
   MESSAGE("zeta " << zeta << ", " << cycles
                   << " cycles, section evaluations of the transient over periodic: " << ratio);
   CHECK(ratio > 100);

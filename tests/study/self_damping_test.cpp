@@ -175,12 +175,10 @@ TEST_CASE("the points of another case are not taken up and a finished study comp
 
 TEST_CASE("a point that fails is a row that says why") {
   const casefile::Scene scene = damping_scene("return-map", small_grid);
-  section::Effort effort;
   const study::Road road = [](const study::Point&) -> study::PointResult {
     throw ComputationError("no periodic state was found");
   };
-  const auto row =
-      study::compute_row(scene, road, {.frequency = 20, .antinode_amplitude = 0.01, .tension = 3e4}, effort);
+  const auto row = study::compute_row(scene, road, {.frequency = 20, .antinode_amplitude = 0.01, .tension = 3e4});
   REQUIRE(row);
   CHECK((*row)["failed"] == "no periodic state was found");
   CHECK((*row)["frequency_Hz"] == 20.0);

@@ -23,7 +23,7 @@ enum class Method { ida, generalized_alpha };
 enum class StepRule { fixed, automatic, adaptive };
 enum class Twist { held, free };
 enum class Until { steady };
-enum class AnalysisType { section, axial_torsion, static_, modes, decay, forced, transient, self_damping };
+enum class AnalysisType { section, axial_torsion, static_, modes, decay, forced, transient, sweep, self_damping };
 enum class DampingRoad { quadrature, periodic, transient, foti_2018 };
 enum class ModeShape { sine, clamped };
 enum class WindCurve { cigre, diana_falco, brika_laneville };
@@ -83,11 +83,15 @@ inline constexpr std::array choices<Twist>{Named{Twist::held, "held"}, Named{Twi
 template <>
 inline constexpr std::array choices<Until>{Named{Until::steady, "steady"}};
 template <>
-inline constexpr std::array choices<AnalysisType>{
-    Named{AnalysisType::section, "section"},     Named{AnalysisType::axial_torsion, "axial-torsion"},
-    Named{AnalysisType::static_, "static"},      Named{AnalysisType::modes, "modes"},
-    Named{AnalysisType::decay, "decay"},         Named{AnalysisType::forced, "forced"},
-    Named{AnalysisType::transient, "transient"}, Named{AnalysisType::self_damping, "self-damping"}};
+inline constexpr std::array choices<AnalysisType>{Named{AnalysisType::section, "section"},
+                                                  Named{AnalysisType::axial_torsion, "axial-torsion"},
+                                                  Named{AnalysisType::static_, "static"},
+                                                  Named{AnalysisType::modes, "modes"},
+                                                  Named{AnalysisType::decay, "decay"},
+                                                  Named{AnalysisType::forced, "forced"},
+                                                  Named{AnalysisType::transient, "transient"},
+                                                  Named{AnalysisType::sweep, "sweep"},
+                                                  Named{AnalysisType::self_damping, "self-damping"}};
 template <>
 inline constexpr std::array choices<DampingRoad>{
     Named{DampingRoad::quadrature, "quadrature"}, Named{DampingRoad::periodic, "periodic"},

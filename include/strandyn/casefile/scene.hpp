@@ -225,6 +225,22 @@ struct TransientAnalysis {
   std::vector<double> probes;  ///< [m] from the left support; empty: the right end and the loaded points
 };
 
+/// How a periodic response is solved.
+struct PeriodicKeys {
+  int harmonics = 5;
+  int samples = 64;  ///< per cycle
+};
+
+/// Through the resonance nearest to the frequency of the drive, at its amplitude.
+struct SweepAnalysis {
+  double relative_width = 0.02;          ///< [-] how far below and above the linear frequency; instead:
+  std::optional<double> from, to;        ///< [Hz] both
+  std::optional<double> frequency_step;  ///< [Hz] largest; empty: a fortieth of the way
+  double swing_step = 0.1;               ///< [-] largest change of the response between two points, in parts of itself
+  int backbone_points = 5;               ///< resonances up to the peak's amplitude
+  PeriodicKeys periodic;
+};
+
 /// [[analysis.at]]: one point of a self-damping study, beside its grid.
 struct DampingAt {
   std::optional<double> frequency;                ///< [Hz] this or
@@ -266,6 +282,7 @@ struct SelfDampingAnalysis {
   ModeShape mode_shape = ModeShape::sine;
   std::vector<DampingAt> at;
   std::vector<std::array<double, 2>> bands;  ///< [-] of amplitude over diameter
+  PeriodicKeys periodic;
   SimplifiedLoss simplified;
   std::vector<EnergyBalanceKeys> energy_balances;
 
@@ -284,6 +301,7 @@ struct Analysis {
   DecayAnalysis decay;
   ForcedAnalysis forced;
   TransientAnalysis transient;
+  SweepAnalysis sweep;
   SelfDampingAnalysis self_damping;
 };
 

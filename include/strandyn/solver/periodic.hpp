@@ -24,6 +24,7 @@
 /// H are. The work of the loop differs from the friction that the law booked by its quadrature error, O(1/N^2).
 
 #include <complex>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -87,7 +88,7 @@ struct PeriodicSolution {
   int iterations = 0;
   double residual = 0;    ///< [N] largest harmonic out of balance
   double correction = 0;  ///< [-] the last one, as the tolerance measures it
-  std::size_t section_evaluations = 0;
+  section::Effort effort = {};
   int cycles = 0;               ///< until the loops were closed
   double loop_gap = 0;          ///< [-] as `closure` measures it
   double drive_power = 0;       ///< [W]
@@ -108,6 +109,8 @@ struct SweepOptions {
   double swing_step = 0.25;     ///< [-] largest change of z in parts of itself
   double smallest_step = 1e-4;  ///< of the largest, before the sweep gives up
   std::size_t max_points = 1000;
+  /// Hears of every point as it is found; false ends the sweep there. Empty: nobody listens.
+  std::function<bool(const PeriodicSolution&)> each = {};
 };
 
 /// A node (smallest) or antinode (largest) of the fundamental's envelope.

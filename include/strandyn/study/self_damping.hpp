@@ -30,7 +30,7 @@ struct PointResult {
   double self_damping = 0;              ///< [W/m] of the span, by its length
   std::optional<double> free_span{};    ///< [W/m] without the end loops; nothing where there is no free span
   nlohmann::ordered_json details = {};  ///< more keys of the point in summary.json, numbers of the road's own
-  section::Effort effort{};             ///< what it took beyond what the points of a road share
+  section::Effort effort{};             ///< what it took beyond what the points of a road share; part of the row
   std::string failure{};                ///< why there are no numbers; empty otherwise
   bool stopped = false;                 ///< ended by `stop`: it will be computed again
 };
@@ -39,9 +39,8 @@ struct PointResult {
 using Road = std::function<PointResult(const Point&)>;
 
 /// Takes the road to the point. The row of summary.json: the numbers, or `failed` with the reason; nothing where the
-/// road was stopped. `effort` is added to.
-std::optional<nlohmann::ordered_json> compute_row(const casefile::Scene& scene, const Road& road, const Point& point,
-                                                  section::Effort& effort);
+/// road was stopped.
+std::optional<nlohmann::ordered_json> compute_row(const casefile::Scene& scene, const Road& road, const Point& point);
 
 /// All points of the study: the grid (tensions, in them frequencies, in them amplitudes), then [[analysis.at]].
 std::vector<Point> self_damping_points(const casefile::Scene& scene);
@@ -62,6 +61,11 @@ class Quadrature {
   PointResult operator()(const Point& point) const;
   const std::vector<Table>& tables() const { return tables_; }
   const SectionalLoss& at_tension(double tension) const;
+  /// [1/m] amplitude of the curvature of the free span.
+  double free_span_curvature(const Point& point) const;
+  /// [J/m] per cycle: what a sine of this curvature loses at any tension, without a table, for ratios: by the rule of
+  /// 24 places.
+  double loss_at(double tension, double curvature) const;
 
  private:
   const casefile::Scene& scene_;

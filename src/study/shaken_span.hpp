@@ -1,0 +1,81 @@
+#pragma once
+/// \file A span with one harmonic drive, its shaker, in periodic vibration near one of its modes: what the road
+/// "periodic" and the sweep share.
+
+#include <functional>
+#include <optional>
+
+#include "parts.hpp"
+#include "strandyn/observe/deflection_points.hpp"
+#include "strandyn/solver/periodic.hpp"
+
+namespace strandyn::study {
+
+/// The number of the [[load]] or of the [[motion]] that shakes the span.
+struct Shaker {
+  std::optional<std::size_t> load, motion;
+};
+/// The one harmonic drive of the scene; neither of the two where it has none. Throws InputError where there are
+/// several, or where it is not a force at a point or a displacement, along y.
+Shaker shaker_of(const casefile::Scene& scene);
+
+/// A resonance at a wanted antinode amplitude.
+struct ResonanceAt {
+  solver::PeriodicSolution solution;
+  double antinode_amplitude = 0;  ///< [m] that was reached
+  section::Effort effort;         ///< of all attempts
+  bool stopped = false;
+};
+
+/// Losses between the first and the last inner node.
+struct FreeSpan {
+  double from = 0, to = 0;  ///< [m] along the span
+  double friction = 0;      ///< [J] per cycle
+  double curvature = 0;     ///< [1/m] amplitude of the sine that has the same mean square
+};
+
+/// [N] tension over a cycle.
+struct TensionRange {
+  double mean = 0, highest = 0;
+};
+
+class ShakenSpan {
+ public:
+  /// The scene has a shaker. Takes the mode across the span, in its plane, that is nearest to `frequency` [Hz].
+  ShakenSpan(const casefile::Scene& scene, double frequency, const casefile::PeriodicKeys& keys);
+
+  const SpanAtRest& span() const { return span_; }
+  const solver::Mode& mode() const { return mode_; }
+  int mode_number() const { return mode_number_; }
+  const solver::PeriodicSolver& solver() const { return *solver_; }
+  solver::DriveKind drive_kind() const { return setup_.kind; }
+
+  /// [m] half of peak to peak at the largest antinode away from the ends.
+  double antinode_amplitude(const solver::PeriodicState& state) const;
+  /// [rad] by which the control follows the drive, 0 to 2 pi; a quarter of a turn at resonance.
+  double control_phase(const solver::PeriodicState& state) const;
+  /// Phase resonance at an antinode amplitude [m]: straight from the mode, or in steps of amplitude where that fails.
+  ResonanceAt resonance(double antinode_amplitude, const std::function<bool()>& stop) const;
+  /// Nothing below three loops.
+  std::optional<FreeSpan> free_span(const solver::PeriodicSolution& solution) const;
+  TensionRange tension(const solver::PeriodicState& state) const;
+
+ private:
+  ResonanceAt from_mode(double control, const std::function<bool()>& stop) const;
+
+  SpanAtRest span_;
+  solver::Mode mode_;
+  int mode_number_ = 0;
+  double axial_stiffness_ = 0;
+  solver::PeriodicSetup setup_;
+  std::optional<observe::DeflectionPoints> places_;
+  std::optional<solver::PeriodicSolver> solver_;
+};
+
+/// [J] per cycle: what friction takes, by the area of the loops. It balances with the drive whatever the samples are,
+/// and is exactly zero where nothing slips.
+double friction_of(const solver::PeriodicSolution& solution);
+/// The same and all viscous losses. [J] per cycle
+double losses_of(const solver::PeriodicSolution& solution);
+
+}  // namespace strandyn::study
