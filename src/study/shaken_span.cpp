@@ -16,6 +16,9 @@ using model::Unknown;
 
 namespace {
 
+/// Points that converge took ten at most; one that does not is tried again in smaller steps of amplitude.
+constexpr int most_iterations = 20;
+
 bool is_along_y(const std::optional<casefile::Vector3>& direction) {
   return direction && std::abs((*direction)[1]) > 1 - 1e-9;
 }
@@ -151,8 +154,9 @@ ShakenSpan::ShakenSpan(const Scene& scene, double frequency, const casefile::Per
             .drive = drive_place(span_, shaker),
             .control = control_place(span_, mode_, mode_number_ >= 3 ? span_.built.length / mode_number_ : 0)};
   check_free(scene, shaker, span_, setup_.drive);
-  solver_.emplace(span_.system, span_.u, setup_,
-                  solver::PeriodicOptions{.harmonics = keys.harmonics, .samples = keys.samples});
+  solver_.emplace(
+      span_.system, span_.u, setup_,
+      solver::PeriodicOptions{.harmonics = keys.harmonics, .samples = keys.samples, .max_iterations = most_iterations});
 }
 
 double ShakenSpan::antinode_amplitude(const solver::PeriodicState& state) const {
@@ -177,17 +181,11 @@ double ShakenSpan::antinode_amplitude(const solver::PeriodicState& state) const 
   return largest;
 }
 
-double ShakenSpan::control_phase(const solver::PeriodicState& state) const {
-  const auto control = *span_.built.model.index(setup_.control.node, Unknown::y);
-  // Where the mode moves the two ways at once, "behind" counts from the drive turned round.
-  double turned = 0;
-  if (setup_.kind == solver::DriveKind::force) {
-    const auto drive = *span_.built.model.index(setup_.drive.node, Unknown::y);
-    const bool against = mode_.shape(static_cast<Index>(control)) * mode_.shape(static_cast<Index>(drive)) < 0;
-    turned = against ? std::numbers::pi : 0;
-  }
-  const double behind = turned - std::arg(state.phasor(control));
-  return behind - 2 * std::numbers::pi * std::floor(behind / (2 * std::numbers::pi));
+double ShakenSpan::phase(const solver::PeriodicState& state) const {
+  const solver::Place& place = setup_.kind == solver::DriveKind::force ? setup_.drive : setup_.control;
+  const double behind = -std::arg(state.phasor(*span_.built.model.index(place.node, place.unknown)));
+  constexpr double turn = 2 * std::numbers::pi;
+  return behind - turn * std::floor(behind / turn + 0.25);
 }
 
 ResonanceAt ShakenSpan::from_mode(double control, const std::function<bool()>& stop) const {

@@ -52,8 +52,9 @@ class ShakenSpan {
 
   /// [m] half of peak to peak at the largest antinode away from the ends.
   double antinode_amplitude(const solver::PeriodicState& state) const;
-  /// [rad] by which the control follows the drive, 0 to 2 pi; a quarter of a turn at resonance.
-  double control_phase(const solver::PeriodicState& state) const;
+  /// [rad] by which the driven point follows the force (the control a moved support), -pi/2 to 3 pi/2; a quarter of a
+  /// turn at phase resonance.
+  double phase(const solver::PeriodicState& state) const;
   /// Phase resonance at an antinode amplitude [m]: straight from the mode, or in steps of amplitude where that fails.
   ResonanceAt resonance(double antinode_amplitude, const std::function<bool()>& stop) const;
   /// Nothing below three loops.
