@@ -70,9 +70,12 @@ std::vector<Part> parts_of(const Quadrature& quadrature, const json& row, const 
        .words = fmt::format("the vibration stretches the span: the mean tension is {:.4f} of that at rest, the highest "
                             "{:.4f}, and raises the friction limits",
                             mean_tension / point.tension, span["highest_tension_N"].get<double>() / point.tension)}};
-  Part rest{.name = "rest",
-            .factor = ratio,
-            .words = "the curvature is no sine along the span or in time, and the tension swings with it"};
+  Part rest{
+      .name = "rest",
+      .factor = ratio,
+      .words = fmt::format("the curvature is no sine along the span or in time, it reaches {:.3f} of one of the same "
+                           "mean square: sections that slip are softer, and send out waves of higher harmonics",
+                           span["highest_curvature_per_m"].get<double>() / measured)};
   for (const Part& part : parts) rest.factor /= part.factor;
   parts.push_back(rest);
   return parts;

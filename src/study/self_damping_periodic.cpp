@@ -50,7 +50,7 @@ PointResult result_of(const Scene& scene, const ShakenSpan& shaken, const Point&
   const double length = shaken.span().built.length;
   const double frequency = s.state.frequency;
   PointResult result{.self_damping = losses_of(s) * frequency / length, .effort = found.effort};
-  const TensionRange tension = shaken.tension(s.state);
+  const StrainRange strains = shaken.strains(s.state);
   result.details = {{"mode", shaken.mode_number()},
                     {"span_length_m", length},
                     {"elements", shaken.span().built.model.elements.size()},
@@ -67,14 +67,15 @@ PointResult result_of(const Scene& scene, const ShakenSpan& shaken, const Point&
   details["loss_factor"] = analysis::loss_factor(analysis::damping_ratio(
       result.self_damping,
       {.mass_per_length = shaken.span().built.model.inertia.mass, .frequency = frequency, .velocity = velocity}));
-  details["effective_EI_over_EI_max"] = effective_stiffness(scene, point, frequency, tension.mean);
-  details["mean_tension_N"] = tension.mean;
-  details["highest_tension_N"] = tension.highest;
-  if (const auto free = shaken.free_span(s)) {
+  details["effective_EI_over_EI_max"] = effective_stiffness(scene, point, frequency, strains.mean_tension);
+  details["mean_tension_N"] = strains.mean_tension;
+  details["highest_tension_N"] = strains.highest_tension;
+  if (const auto free = shaken.free_span(s, strains)) {
     result.free_span = free->friction * frequency / (free->to - free->from);
     details["free_span_from_m"] = free->from;
     details["free_span_to_m"] = free->to;
     details["free_span_curvature_per_m"] = free->curvature;
+    details["highest_curvature_per_m"] = free->highest;
   }
   details["harmonics"] = (s.state.harmonics.cols() - 1) / 2;
   details["iterations"] = s.iterations;

@@ -228,7 +228,8 @@ ResonanceAt ShakenSpan::resonance(double antinode_amplitude, const std::function
   return result;
 }
 
-std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& solution) const {
+std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& solution,
+                                              const StrainRange& strains) const {
   if (mode_number_ < 3) return std::nullopt;
   const std::vector<double> arc = model::arc_lengths(span_.built.model);
   const double half_loop = arc.back() / mode_number_ / 2;
@@ -251,31 +252,38 @@ std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& so
     if (solution.sections.friction[p] > 0) free.friction += weight * solution.sections.loop_work[p];
     squares += weight * solution.sections.curvature_amplitude[p] * solution.sections.curvature_amplitude[p];
     length += weight;
+    free.highest = std::max(free.highest, strains.curvature[p]);
   }
   free.curvature = std::sqrt(2 * squares / length);
   return free;
 }
 
-TensionRange ShakenSpan::tension(const solver::PeriodicState& state) const {
-  constexpr int samples = 32;
-  TensionRange range;
-  section::Field strains = span_.system.committed_strains();
+StrainRange ShakenSpan::strains(const solver::PeriodicState& state) const {
+  using section::Component;
+  constexpr int samples = 64;
+  StrainRange range;
+  section::Field now = span_.system.committed_strains();
+  const std::size_t points = now.points();
+  std::vector<double> low(points, INFINITY), high(points, -INFINITY);
   for (int j = 0; j < samples; ++j) {
     system::Vector u = span_.u + state.harmonics.col(0);
     for (Index a = 1; a < state.harmonics.cols(); ++a) {
       const double angle = 2 * std::numbers::pi * j / samples * static_cast<double>((a + 1) / 2);
       u += (a % 2 == 1 ? std::cos(angle) : std::sin(angle)) * state.harmonics.col(a);
     }
-    span_.system.strains(u.data(), strains);
+    span_.system.strains(u.data(), now);
     double stretch = 0, length = 0;
-    for (std::size_t p = 0; p < strains.points(); ++p) {
-      stretch += span_.system.point_length(p) * strains[section::Component::axial][p];
+    for (std::size_t p = 0; p < points; ++p) {
+      stretch += span_.system.point_length(p) * now[Component::axial][p];
       length += span_.system.point_length(p);
+      low[p] = std::min(low[p], now[Component::bending2][p]);
+      high[p] = std::max(high[p], now[Component::bending2][p]);
     }
     const double tension = axial_stiffness_ * stretch / length;
-    range.mean += tension / samples;
-    range.highest = std::max(range.highest, tension);
+    range.mean_tension += tension / samples;
+    range.highest_tension = std::max(range.highest_tension, tension);
   }
+  for (std::size_t p = 0; p < points; ++p) range.curvature.push_back((high[p] - low[p]) / 2);
   return range;
 }
 

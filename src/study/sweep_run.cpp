@@ -170,13 +170,12 @@ class SweepRun {
         result_.message = s.failure;
         break;
       }
-      const TensionRange tension = shaken_.tension(s.state);
       list.push_back({{"antinode_amplitude_m", found.antinode_amplitude},
                       {"frequency_Hz", s.state.frequency},
                       {"frequency_shift", s.state.frequency / shaken_.mode().frequency - 1},
                       {"drive", s.state.drive},
                       {"dissipated_power_W", losses_of(s) * s.state.frequency},
-                      {"mean_tension_N", tension.mean}});
+                      {"mean_tension_N", shaken_.strains(s.state).mean_tension}});
       if (hooks_.progress) {
         hooks_.progress(0.8 + 0.2 * i / keys_.backbone_points,
                         fmt::format("resonance {} of {}", i, keys_.backbone_points));
