@@ -264,8 +264,9 @@ void keys(V& v, SweepAnalysis& a) {
   v.number(
       "swing_step", a.swing_step,
       {.help = "the largest change of the response from point to point, as a part of it", .above = 0, .at_most = 1});
-  v.number("backbone_points", a.backbone_points,
-           {.help = "the number of resonances that are solved at parts of the peak's amplitude", .at_least = 1});
+  v.number(
+      "backbone_points", a.backbone_points,
+      {.help = "the number of resonances that are solved, up to the amplitude that the drive reaches", .at_least = 1});
   v.table("periodic", a.periodic, {.help = "how the periodic response is solved"});
 }
 

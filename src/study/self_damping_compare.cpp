@@ -16,6 +16,8 @@ using json = nlohmann::ordered_json;
 namespace {
 
 constexpr double agreed = 0.05;
+/// Up to here above first slip a small difference of curvature is a large one of the loss.
+constexpr double steep = 1.25;
 constexpr const char* free_span = "self_damping_free_span_W_per_m";
 
 /// From the dearest road to the cheapest: the first of them at a point is what the others are held against.
@@ -57,7 +59,9 @@ std::vector<Part> parts_of(const Quadrature& quadrature, const json& row, const 
   std::vector<Part> parts = {
       {.name = "frequency",
        .factor = 1 / resonance,
-       .words = fmt::format("the span resonates at {:.4f} of the frequency that was asked for", resonance)},
+       .words = fmt::format("the span resonates at {:.4f} of the frequency that was asked for, as with a bending "
+                            "stiffness of {:.3f} EI_max",
+                            resonance, span["effective_EI_over_EI_max"].get<double>())},
       {.name = "curvature",
        .factor = at_mode / at_measured,
        .words = fmt::format("the curvature of the free span is {:.4f} of the mode's", measured / of_mode)},
@@ -66,9 +70,12 @@ std::vector<Part> parts_of(const Quadrature& quadrature, const json& row, const 
        .words = fmt::format("the vibration stretches the span: the mean tension is {:.4f} of that at rest, the highest "
                             "{:.4f}, and raises the friction limits",
                             mean_tension / point.tension, span["highest_tension_N"].get<double>() / point.tension)}};
-  Part rest{.name = "rest",
-            .factor = ratio,
-            .words = "the curvature is no sine along the span or in time, and the tension swings with it"};
+  Part rest{
+      .name = "rest",
+      .factor = ratio,
+      .words = fmt::format("the curvature is no sine along the span or in time, it reaches {:.3f} of one of the same "
+                           "mean square: sections that slip are softer, and send out waves of higher harmonics",
+                           span["highest_curvature_per_m"].get<double>() / measured)};
   for (const Part& part : parts) rest.factor /= part.factor;
   parts.push_back(rest);
   return parts;
@@ -84,6 +91,10 @@ void explain(const std::vector<Part>& parts, bool wanted, json& entry) {
   }
   if (!wanted) return;
   std::string why;
+  if (entry.contains("curvature_over_first_slip") && entry["curvature_over_first_slip"] < steep) {
+    why = fmt::format("the curvature is only {:.3f} of that of first slip, from where the loss rises steeply",
+                      entry["curvature_over_first_slip"].get<double>());
+  }
   for (const Part& part : parts) {
     if (std::abs(std::log(part.factor)) < 0.5 * largest) continue;
     why += fmt::format("{}{} ({:+.1f} %)", why.empty() ? "" : "; ", part.words, 100 * (part.factor - 1));
@@ -117,6 +128,14 @@ json compare(const Quadrature& quadrature, const json& row, const json& referenc
   entry["agrees"] = agrees;
   const bool measured = row["road"] == casefile::name_of(DampingRoad::quadrature) &&
                         reference.contains("free_span_curvature_per_m") && *free > 0;
+  const double onset = quadrature.at_tension(row["tension_N"]).onset();
+  if (measured && onset > 0) {
+    entry["curvature_over_first_slip"] =
+        quadrature.free_span_curvature({.frequency = row["frequency_Hz"],
+                                        .antinode_amplitude = row["antinode_amplitude_m"],
+                                        .tension = row["tension_N"]}) /
+        onset;
+  }
   if (measured) {
     explain(parts_of(quadrature, row, reference, *free), !agrees, entry);
   } else if (!agrees && *free == 0) {

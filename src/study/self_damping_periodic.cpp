@@ -33,12 +33,24 @@ PointResult failed(std::string why, const ResonanceAt& found) {
   return {.effort = found.effort, .failure = std::move(why), .stopped = found.stopped};
 }
 
-PointResult result_of(const ShakenSpan& shaken, const Point& point, const ResonanceAt& found) {
+/// [-] bending stiffness over EI_max of the tensioned beam that has the resonance at the mean tension of the vibration;
+/// its wave is as long as EI_max at rest makes it.
+double effective_stiffness(const Scene& scene, const Point& point, double resonance, double mean_tension) {
+  const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+  const double mass = *casefile::mass_per_length(scene);
+  const double EI_max = numbers.EI_max;
+  const double k =
+      analysis::wavenumber({.tension = point.tension, .mass_per_length = mass, .EI = EI_max}, point.frequency);
+  const double stretched = mass / (1 + point.tension / numbers.EA);  // the chain's mass is that of unstressed length
+  return (stretched * std::pow(2 * pi * resonance, 2) - mean_tension * k * k) / (EI_max * std::pow(k, 4));
+}
+
+PointResult result_of(const Scene& scene, const ShakenSpan& shaken, const Point& point, const ResonanceAt& found) {
   const solver::PeriodicSolution& s = found.solution;
   const double length = shaken.span().built.length;
   const double frequency = s.state.frequency;
   PointResult result{.self_damping = losses_of(s) * frequency / length, .effort = found.effort};
-  const TensionRange tension = shaken.tension(s.state);
+  const StrainRange strains = shaken.strains(s.state);
   result.details = {{"mode", shaken.mode_number()},
                     {"span_length_m", length},
                     {"elements", shaken.span().built.model.elements.size()},
@@ -55,13 +67,15 @@ PointResult result_of(const ShakenSpan& shaken, const Point& point, const Resona
   details["loss_factor"] = analysis::loss_factor(analysis::damping_ratio(
       result.self_damping,
       {.mass_per_length = shaken.span().built.model.inertia.mass, .frequency = frequency, .velocity = velocity}));
-  details["mean_tension_N"] = tension.mean;
-  details["highest_tension_N"] = tension.highest;
-  if (const auto free = shaken.free_span(s)) {
+  details["effective_EI_over_EI_max"] = effective_stiffness(scene, point, frequency, strains.mean_tension);
+  details["mean_tension_N"] = strains.mean_tension;
+  details["highest_tension_N"] = strains.highest_tension;
+  if (const auto free = shaken.free_span(s, strains)) {
     result.free_span = free->friction * frequency / (free->to - free->from);
     details["free_span_from_m"] = free->from;
     details["free_span_to_m"] = free->to;
     details["free_span_curvature_per_m"] = free->curvature;
+    details["highest_curvature_per_m"] = free->highest;
   }
   details["harmonics"] = (s.state.harmonics.cols() - 1) / 2;
   details["iterations"] = s.iterations;
@@ -121,7 +135,7 @@ Road periodic_road(const RoadContext& context) {
     const ShakenSpan shaken(scene_of_point(scene, point), point.frequency, scene.analysis.self_damping.periodic);
     const ResonanceAt found = shaken.resonance(point.antinode_amplitude, stop);
     if (found.stopped || !found.solution.converged) return failed(found.solution.failure, found);
-    return result_of(shaken, point, found);
+    return result_of(scene, shaken, point, found);
   };
 }
 

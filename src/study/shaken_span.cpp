@@ -16,6 +16,9 @@ using model::Unknown;
 
 namespace {
 
+/// Points that converge took ten at most; one that does not is tried again in smaller steps of amplitude.
+constexpr int most_iterations = 20;
+
 bool is_along_y(const std::optional<casefile::Vector3>& direction) {
   return direction && std::abs((*direction)[1]) > 1 - 1e-9;
 }
@@ -151,8 +154,9 @@ ShakenSpan::ShakenSpan(const Scene& scene, double frequency, const casefile::Per
             .drive = drive_place(span_, shaker),
             .control = control_place(span_, mode_, mode_number_ >= 3 ? span_.built.length / mode_number_ : 0)};
   check_free(scene, shaker, span_, setup_.drive);
-  solver_.emplace(span_.system, span_.u, setup_,
-                  solver::PeriodicOptions{.harmonics = keys.harmonics, .samples = keys.samples});
+  solver_.emplace(
+      span_.system, span_.u, setup_,
+      solver::PeriodicOptions{.harmonics = keys.harmonics, .samples = keys.samples, .max_iterations = most_iterations});
 }
 
 double ShakenSpan::antinode_amplitude(const solver::PeriodicState& state) const {
@@ -177,17 +181,11 @@ double ShakenSpan::antinode_amplitude(const solver::PeriodicState& state) const 
   return largest;
 }
 
-double ShakenSpan::control_phase(const solver::PeriodicState& state) const {
-  const auto control = *span_.built.model.index(setup_.control.node, Unknown::y);
-  // Where the mode moves the two ways at once, "behind" counts from the drive turned round.
-  double turned = 0;
-  if (setup_.kind == solver::DriveKind::force) {
-    const auto drive = *span_.built.model.index(setup_.drive.node, Unknown::y);
-    const bool against = mode_.shape(static_cast<Index>(control)) * mode_.shape(static_cast<Index>(drive)) < 0;
-    turned = against ? std::numbers::pi : 0;
-  }
-  const double behind = turned - std::arg(state.phasor(control));
-  return behind - 2 * std::numbers::pi * std::floor(behind / (2 * std::numbers::pi));
+double ShakenSpan::phase(const solver::PeriodicState& state) const {
+  const solver::Place& place = setup_.kind == solver::DriveKind::force ? setup_.drive : setup_.control;
+  const double behind = -std::arg(state.phasor(*span_.built.model.index(place.node, place.unknown)));
+  constexpr double turn = 2 * std::numbers::pi;
+  return behind - turn * std::floor(behind / turn + 0.25);
 }
 
 ResonanceAt ShakenSpan::from_mode(double control, const std::function<bool()>& stop) const {
@@ -230,7 +228,8 @@ ResonanceAt ShakenSpan::resonance(double antinode_amplitude, const std::function
   return result;
 }
 
-std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& solution) const {
+std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& solution,
+                                              const StrainRange& strains) const {
   if (mode_number_ < 3) return std::nullopt;
   const std::vector<double> arc = model::arc_lengths(span_.built.model);
   const double half_loop = arc.back() / mode_number_ / 2;
@@ -253,31 +252,38 @@ std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& so
     if (solution.sections.friction[p] > 0) free.friction += weight * solution.sections.loop_work[p];
     squares += weight * solution.sections.curvature_amplitude[p] * solution.sections.curvature_amplitude[p];
     length += weight;
+    free.highest = std::max(free.highest, strains.curvature[p]);
   }
   free.curvature = std::sqrt(2 * squares / length);
   return free;
 }
 
-TensionRange ShakenSpan::tension(const solver::PeriodicState& state) const {
-  constexpr int samples = 32;
-  TensionRange range;
-  section::Field strains = span_.system.committed_strains();
+StrainRange ShakenSpan::strains(const solver::PeriodicState& state) const {
+  using section::Component;
+  constexpr int samples = 64;
+  StrainRange range;
+  section::Field now = span_.system.committed_strains();
+  const std::size_t points = now.points();
+  std::vector<double> low(points, INFINITY), high(points, -INFINITY);
   for (int j = 0; j < samples; ++j) {
     system::Vector u = span_.u + state.harmonics.col(0);
     for (Index a = 1; a < state.harmonics.cols(); ++a) {
       const double angle = 2 * std::numbers::pi * j / samples * static_cast<double>((a + 1) / 2);
       u += (a % 2 == 1 ? std::cos(angle) : std::sin(angle)) * state.harmonics.col(a);
     }
-    span_.system.strains(u.data(), strains);
+    span_.system.strains(u.data(), now);
     double stretch = 0, length = 0;
-    for (std::size_t p = 0; p < strains.points(); ++p) {
-      stretch += span_.system.point_length(p) * strains[section::Component::axial][p];
+    for (std::size_t p = 0; p < points; ++p) {
+      stretch += span_.system.point_length(p) * now[Component::axial][p];
       length += span_.system.point_length(p);
+      low[p] = std::min(low[p], now[Component::bending2][p]);
+      high[p] = std::max(high[p], now[Component::bending2][p]);
     }
     const double tension = axial_stiffness_ * stretch / length;
-    range.mean += tension / samples;
-    range.highest = std::max(range.highest, tension);
+    range.mean_tension += tension / samples;
+    range.highest_tension = std::max(range.highest_tension, tension);
   }
+  for (std::size_t p = 0; p < points; ++p) range.curvature.push_back((high[p] - low[p]) / 2);
   return range;
 }
 

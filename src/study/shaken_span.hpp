@@ -32,11 +32,13 @@ struct FreeSpan {
   double from = 0, to = 0;  ///< [m] along the span
   double friction = 0;      ///< [J] per cycle
   double curvature = 0;     ///< [1/m] amplitude of the sine that has the same mean square
+  double highest = 0;       ///< [1/m] largest half of peak to peak, all harmonics counted
 };
 
-/// [N] tension over a cycle.
-struct TensionRange {
-  double mean = 0, highest = 0;
+/// Strains over a cycle.
+struct StrainRange {
+  double mean_tension = 0, highest_tension = 0;  ///< [N]
+  std::vector<double> curvature;                 ///< [1/m] half of peak to peak, per section point
 };
 
 class ShakenSpan {
@@ -52,13 +54,14 @@ class ShakenSpan {
 
   /// [m] half of peak to peak at the largest antinode away from the ends.
   double antinode_amplitude(const solver::PeriodicState& state) const;
-  /// [rad] by which the control follows the drive, 0 to 2 pi; a quarter of a turn at resonance.
-  double control_phase(const solver::PeriodicState& state) const;
+  /// [rad] by which the driven point follows the force (the control a moved support), -pi/2 to 3 pi/2; a quarter of a
+  /// turn at phase resonance.
+  double phase(const solver::PeriodicState& state) const;
   /// Phase resonance at an antinode amplitude [m]: straight from the mode, or in steps of amplitude where that fails.
   ResonanceAt resonance(double antinode_amplitude, const std::function<bool()>& stop) const;
   /// Nothing below three loops.
-  std::optional<FreeSpan> free_span(const solver::PeriodicSolution& solution) const;
-  TensionRange tension(const solver::PeriodicState& state) const;
+  std::optional<FreeSpan> free_span(const solver::PeriodicSolution& solution, const StrainRange& strains) const;
+  StrainRange strains(const solver::PeriodicState& state) const;
 
  private:
   ResonanceAt from_mode(double control, const std::function<bool()>& stop) const;

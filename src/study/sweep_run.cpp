@@ -41,7 +41,7 @@ json point_json(const ShakenSpan& shaken, const PeriodicSolution& s) {
   const double frequency = s.state.frequency;
   return {{"frequency_Hz", frequency},
           {"antinode_amplitude_m", shaken.antinode_amplitude(s.state)},
-          {"phase_deg", 180 / pi * shaken.control_phase(s.state)},
+          {"phase_deg", 180 / pi * shaken.phase(s.state)},
           {"dissipated_power_W", losses_of(s) * frequency},
           {"friction_W", friction_of(s) * frequency},
           {"viscous_W", s.viscous.total() * frequency},
@@ -73,6 +73,26 @@ json peak_of(const json& sweep) {
           {"inside", top > 0 && top + 1 < sweep.size()}};
 }
 
+/// Where the response follows the drive by a quarter of a cycle, between the points on the two sides of it; the peak
+/// where the sweep does not come across it.
+json resonance_of(const json& sweep, const json& peak) {
+  for (std::size_t i = 1; i < sweep.size(); ++i) {
+    const double before = sweep[i - 1]["phase_deg"].get<double>() - 90;
+    const double after = sweep[i]["phase_deg"].get<double>() - 90;
+    if (before * after > 0 || std::abs(before - after) > 90) continue;
+    const auto between = [&](const char* key) {
+      const double from = sweep[i - 1][key], to = sweep[i][key];
+      return before == after ? from : from + (to - from) * before / (before - after);
+    };
+    return {{"frequency_Hz", between("frequency_Hz")},
+            {"antinode_amplitude_m", between("antinode_amplitude_m")},
+            {"dissipated_power_W", between("dissipated_power_W")}};
+  }
+  return {{"frequency_Hz", peak["frequency_Hz"]},
+          {"antinode_amplitude_m", peak["antinode_amplitude_m"]},
+          {"dissipated_power_W", peak["dissipated_power_W"]}};
+}
+
 class SweepRun {
  public:
   SweepRun(const Scene& scene, const Hooks& hooks, CaseResult& result)
@@ -90,7 +110,10 @@ class SweepRun {
     s["sweep"] = json::array();
     sweep();
     add_table("sweep.csv", s["sweep"], result_);
-    if (!s["sweep"].empty()) s["peak"] = peak_of(s["sweep"]);
+    if (!s["sweep"].empty()) {
+      s["peak"] = peak_of(s["sweep"]);
+      s["resonance"] = resonance_of(s["sweep"], s["peak"]);
+    }
     if (!stopped_ && result_.exit_code == ExitCode::done) backbone();
     s["cost"]["section_evaluations"] = effort_.evaluations;
     s["cost"]["section_sweeps"] = effort_.sweeps;
@@ -133,10 +156,10 @@ class SweepRun {
     result_.message = solutions.back().failure;
   }
 
-  /// Resonances at equal parts of the peak's amplitude: the last one is the peak by another road.
+  /// Resonances at equal parts of the amplitude that the drive reaches: the last one is that by another road.
   void backbone() {
     json& list = result_.summary["backbone"] = json::array();
-    const double top = result_.summary["peak"]["antinode_amplitude_m"];
+    const double top = result_.summary["resonance"]["antinode_amplitude_m"];
     for (int i = 1; i <= keys_.backbone_points && !stop(); ++i) {
       const ResonanceAt found = shaken_.resonance(top * i / keys_.backbone_points, [this] { return stop(); });
       effort_ += found.effort;
@@ -147,13 +170,12 @@ class SweepRun {
         result_.message = s.failure;
         break;
       }
-      const TensionRange tension = shaken_.tension(s.state);
       list.push_back({{"antinode_amplitude_m", found.antinode_amplitude},
                       {"frequency_Hz", s.state.frequency},
                       {"frequency_shift", s.state.frequency / shaken_.mode().frequency - 1},
                       {"drive", s.state.drive},
                       {"dissipated_power_W", losses_of(s) * s.state.frequency},
-                      {"mean_tension_N", tension.mean}});
+                      {"mean_tension_N", shaken_.strains(s.state).mean_tension}});
       if (hooks_.progress) {
         hooks_.progress(0.8 + 0.2 * i / keys_.backbone_points,
                         fmt::format("resonance {} of {}", i, keys_.backbone_points));
