@@ -136,13 +136,14 @@ Road make_road(DampingRoad road, const RoadContext& context) {
       return [quadrature = context.quadrature](const Point& point) { return (*quadrature)(point); };
     case DampingRoad::foti_2018:
       return simplified_road(context.scene);
-    case DampingRoad::periodic:
     case DampingRoad::transient:
+      return transient_road(context);
+    case DampingRoad::periodic:
       break;
   }
   refuse(context.scene.source, "analysis.road",
          fmt::format("\"{}\" is not there in this version", casefile::name_of(road)),
-         "choose \"quadrature\" or \"foti-2018\"");
+         "choose \"quadrature\", \"transient\" or \"foti-2018\"");
 }
 
 }  // namespace strandyn::study
