@@ -66,6 +66,21 @@ void keys(V& v, EnergyBalanceKeys& b) {
 }
 
 template <class V>
+void keys(V& v, BenchKeys& b) {
+  v.choice("start", b.start,
+           {.help = "whether the span starts in its mode at the wanted amplitude, or at rest as in a laboratory"});
+  v.number("cycles", b.cycles, {.help = "the number of cycles that are measured in steady state", .at_least = 4});
+  v.number("decay_cycles", b.decay_cycles,
+           {.help = "the number of cycles after the shaker is let go (12 unless given)", .at_least = 6});
+  v.number("max_cycles", b.max_cycles,
+           {.help = "the number of cycles after which a vibration that is not steady is given up", .at_least = 40});
+  v.number("amplitude_tolerance", b.amplitude_tolerance,
+           {.help = "how near the antinode amplitude must come to the wanted one, as a part of it",
+            .at_least = 1e-5,
+            .at_most = 0.1});
+}
+
+template <class V>
 void keys(V& v, SelfDampingAnalysis& a) {
   v.one_of({"frequencies_Hz", "modes"}, {});
   v.numbers("frequencies_Hz", a.frequencies, {.help = "the frequencies, one or a list", .unit = units::Hz, .above = 0});
@@ -95,6 +110,7 @@ void keys(V& v, SelfDampingAnalysis& a) {
          {.help = "bands of amplitude over diameter that are fitted one by one, rows of smallest and largest"});
   v.table("periodic", a.periodic, {.help = "how the road \"periodic\" is solved"});
   v.table("foti_2018", a.simplified, {.help = "the numbers of the road \"foti-2018\""});
+  v.table("bench", a.bench, {.help = "the test bench of the road \"transient\""});
   v.tables("energy_balance", a.energy_balances, {.help = "wind against self-damping of the bare conductor"});
 }
 

@@ -12,7 +12,7 @@ double evaluate(const Constant&, double) {
 }
 
 double evaluate(const Harmonic& h, double t) {
-  return std::sin(2 * std::numbers::pi * h.frequency * t);
+  return std::sin(2 * std::numbers::pi * h.frequency * t + h.phase);
 }
 
 double evaluate(const Tabulated& table, double t) {
@@ -30,7 +30,7 @@ double rate(const Constant&, double) {
 
 double rate(const Harmonic& h, double t) {
   const double omega = 2 * std::numbers::pi * h.frequency;
-  return omega * std::cos(omega * t);
+  return omega * std::cos(omega * t + h.phase);
 }
 
 double rate(const Tabulated& table, double t) {

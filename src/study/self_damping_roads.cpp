@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -164,9 +162,7 @@ Road make_road(DampingRoad road, const RoadContext& context) {
     case DampingRoad::transient:
       break;
   }
-  refuse(context.scene.source, "analysis.road",
-         fmt::format("\"{}\" is not there in this version", casefile::name_of(road)),
-         "choose \"quadrature\", \"periodic\" or \"foti-2018\"");
+  return transient_road(context);
 }
 
 }  // namespace strandyn::study

@@ -26,7 +26,14 @@ class March {
   }
 
   void run(const std::shared_ptr<const Quadrature>& quadrature) {
-    const RoadContext context = {.scene = scene_, .quadrature = quadrature, .stop = [this] { return stop(); }};
+    const RoadContext context = {.scene = scene_,
+                                 .quadrature = quadrature,
+                                 .stop = [this] { return stop(); },
+                                 .tell =
+                                     [this](const std::string& words) {
+                                       const std::lock_guard lock(mutex_);
+                                       tell(", " + words);
+                                     }};
     for (const Point& point : points_) {
       if (!roads_.contains(point.road)) roads_[point.road] = make_road(point.road, context);
     }
@@ -49,11 +56,11 @@ class March {
     tell();
   }
 
-  void tell() const {
+  void tell(const std::string& more = {}) const {
     if (!hooks_.progress) return;
     const std::size_t done = log_.rows().size();
     hooks_.progress(static_cast<double>(done) / static_cast<double>(points_.size()),
-                    fmt::format("point {} of {}", done, points_.size()));
+                    fmt::format("point {} of {}{}", done, points_.size(), more));
   }
 
   const Scene& scene_;

@@ -26,6 +26,7 @@ enum class Until { steady };
 enum class AnalysisType { section, axial_torsion, static_, modes, decay, forced, transient, sweep, self_damping };
 enum class DampingRoad { quadrature, periodic, transient, foti_2018 };
 enum class ModeShape { sine, clamped };
+enum class BenchStart { mode, rest };
 enum class WindCurve { cigre, diana_falco, brika_laneville };
 enum class BalancedBy { quadrature, foti_2018, fit, published };
 
@@ -98,6 +99,8 @@ inline constexpr std::array choices<DampingRoad>{
     Named{DampingRoad::transient, "transient"}, Named{DampingRoad::foti_2018, "foti-2018"}};
 template <>
 inline constexpr std::array choices<ModeShape>{Named{ModeShape::sine, "sine"}, Named{ModeShape::clamped, "clamped"}};
+template <>
+inline constexpr std::array choices<BenchStart>{Named{BenchStart::mode, "mode"}, Named{BenchStart::rest, "rest"}};
 template <>
 inline constexpr std::array choices<WindCurve>{Named{WindCurve::cigre, "cigre"},
                                                Named{WindCurve::diana_falco, "diana-falco"},

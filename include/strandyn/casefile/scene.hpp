@@ -270,6 +270,15 @@ struct EnergyBalanceKeys {
   std::optional<double> factor;  ///< `published`: k for m, Hz, kN
 };
 
+/// [analysis.bench]: the test bench of the road "transient".
+struct BenchKeys {
+  BenchStart start = BenchStart::mode;
+  int cycles = 20;                    ///< measured, once the vibration is steady
+  std::optional<int> decay_cycles;    ///< after the shaker is let go; empty: by the damping
+  int max_cycles = 3000;              ///< until the vibration is steady
+  double amplitude_tolerance = 2e-3;  ///< [-] of the wanted antinode amplitude
+};
+
 struct SelfDampingAnalysis {
   std::vector<double> frequencies;               ///< [Hz] this or
   std::vector<double> modes;                     ///< counted from 1
@@ -284,6 +293,7 @@ struct SelfDampingAnalysis {
   std::vector<std::array<double, 2>> bands;  ///< [-] of amplitude over diameter
   PeriodicKeys periodic;
   SimplifiedLoss simplified;
+  BenchKeys bench;
   std::vector<EnergyBalanceKeys> energy_balances;
 
   bool has_grid() const { return !frequencies.empty() || !modes.empty(); }

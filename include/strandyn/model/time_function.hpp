@@ -9,9 +9,10 @@ namespace strandyn::model {
 /// 1 at all times.
 struct Constant {};
 
-/// sin(2 pi f t): starts from zero, so a force begins without a jump.
+/// sin(2 pi f t + phase): without a phase it starts from zero, so a force begins without a jump.
 struct Harmonic {
   double frequency = 0;  ///< [Hz]
+  double phase = 0;      ///< [rad]
 };
 
 /// Straight lines between given points; constant before the first and after the last.

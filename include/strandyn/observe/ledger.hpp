@@ -41,6 +41,8 @@ class Ledger final : public solver::Observer {
   void archive(Archive& a) override { a(now_, initial_elastic_, power_, u_, external_, internal_); }
 
   const Account& now() const { return now_; }
+  /// [N], [N m] loads at the last step; at supports that move, what the support has to do.
+  const system::Vector& external_force() const { return external_; }
 
  private:
   static void evaluate(const system::System& system, const solver::StepRecord& record, system::Vector& external,

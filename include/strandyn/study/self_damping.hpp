@@ -77,11 +77,14 @@ class Quadrature {
 /// What a road may look at when it is made. The scene must outlive it.
 struct RoadContext {
   const casefile::Scene& scene;
-  std::shared_ptr<const Quadrature> quadrature;  ///< where the study asks for it
-  std::function<bool()> stop;                    ///< a road of many seconds asks it now and then; from any thread
+  std::shared_ptr<const Quadrature> quadrature;       ///< where the study asks for it
+  std::function<bool()> stop;                         ///< a road of many seconds asks it now and then; from any thread
+  std::function<void(const std::string&)> tell = {};  ///< and tells how far it is
 };
 
-/// Throws InputError at analysis.road for a road that is not there.
+/// The road "transient": a test bench in time. Throws InputError for what no bench can do.
+Road transient_road(const RoadContext& context);
+
 Road make_road(casefile::DampingRoad road, const RoadContext& context);
 
 }  // namespace strandyn::study
