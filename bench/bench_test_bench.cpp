@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -120,6 +121,7 @@ int main() {
                         {"slip in the free span", 0.17, false},
                         {"gross slip near the clamps", 0.3, false}};
   for (const Case& c : cases) {
+    std::fflush(stdout);
     const ordered_json mode = transient(c, "mode");
     const ordered_json rest = transient(c, "rest");
     if (mode.is_null()) continue;
