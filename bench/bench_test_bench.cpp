@@ -36,7 +36,7 @@ casefile::Scene scene_of(const Case& c, const std::string& start) {
   if (c.modal_damping) text += fmt::format("[damping]\nmodal = [[{}, {}]]\n", mode_number, modal_ratio);
   text += fmt::format(
       "[analysis]\ntype = \"self-damping\"\nroad = \"transient\"\nmodes = {}\namplitude_over_diameter = {}\n"
-      "tensions_rts = 0.2\nbench = {{ start = \"{}\" }}\n",
+      "tensions_rts = 0.2\nbench = {{ start = \"{}\", max_cycles = 800 }}\n",
       mode_number, c.amplitude_over_diameter, start);
   return casefile::read_scene_text(text, "bench.toml");
 }
