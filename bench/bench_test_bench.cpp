@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -35,7 +36,7 @@ casefile::Scene scene_of(const Case& c, const std::string& start) {
   if (c.modal_damping) text += fmt::format("[damping]\nmodal = [[{}, {}]]\n", mode_number, modal_ratio);
   text += fmt::format(
       "[analysis]\ntype = \"self-damping\"\nroad = \"transient\"\nmodes = {}\namplitude_over_diameter = {}\n"
-      "tensions_rts = 0.2\nbench = {{ start = \"{}\" }}\n",
+      "tensions_rts = 0.2\nbench = {{ start = \"{}\", max_cycles = 800 }}\n",
       mode_number, c.amplitude_over_diameter, start);
   return casefile::read_scene_text(text, "bench.toml");
 }
@@ -120,6 +121,7 @@ int main() {
                         {"slip in the free span", 0.17, false},
                         {"gross slip near the clamps", 0.3, false}};
   for (const Case& c : cases) {
+    std::fflush(stdout);
     const ordered_json mode = transient(c, "mode");
     const ordered_json rest = transient(c, "rest");
     if (mode.is_null()) continue;

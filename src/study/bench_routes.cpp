@@ -173,42 +173,52 @@ double crest_energy(const SpanAtRest& span, const SteadyRun& steady) {
   return (along + across + std::hypot(along - across, both)) / 2;
 }
 
-/// The decrement at an amplitude, from those between neighbouring cycles: a parabola over the logarithm of the
-/// amplitude, within a quarter of it. The first cycle is left out: the shaker's part of the motion has just gone.
-std::optional<double> decrement_at(double amplitude, const std::vector<double>& decay) {
-  struct Pair {
-    double off = 0, decrement = 0;
-  };
-  std::vector<Pair> pairs;
-  for (std::size_t i = 1; i + 1 < decay.size(); ++i) {
-    const std::span two(decay.data() + i, 2);
+/// What two neighbouring cycles of the decay tell, at the mean of their amplitudes.
+struct DecayingPair {
+  double off = 0;        // logarithm of the amplitude over the wanted one
+  double decrement = 0;  // [-]
+  double loss = 0;       // [J] per cycle
+};
+
+/// The first cycle is left out: the shaker's part of the motion has just gone.
+std::vector<DecayingPair> decaying_pairs(const BenchRun& run) {
+  std::vector<DecayingPair> pairs;
+  for (std::size_t i = 1; i + 1 < run.decay.size(); ++i) {
+    const std::span two(run.decay.data() + i, 2);
     const auto fit = analysis::fit_decrement(two);
     if (!fit) break;
-    pairs.push_back({.off = std::log(std::sqrt(two[0] * two[1]) / amplitude), .decrement = fit->decrement});
+    pairs.push_back({.off = std::log(std::sqrt(two[0] * two[1]) / run.steady.modal_amplitude),
+                     .decrement = fit->decrement,
+                     .loss = (run.decay_losses[i] + run.decay_losses[i + 1]) / 2});
   }
-  if (pairs.size() < 3) return std::nullopt;
-  std::ranges::sort(pairs, {}, [](const Pair& pair) { return std::abs(pair.off); });
-  constexpr double within = 0.25;
-  while (pairs.size() > 3 && std::abs(pairs.back().off) > within) pairs.pop_back();
+  // Those within a quarter of the amplitude, three at least.
+  std::ranges::sort(pairs, {}, [](const DecayingPair& pair) { return std::abs(pair.off); });
+  while (pairs.size() > 3 && std::abs(pairs.back().off) > 0.25) pairs.pop_back();
+  return pairs;
+}
+
+/// At the wanted amplitude, by a parabola over its logarithm; a line through few.
+double at_amplitude(const std::vector<DecayingPair>& pairs, double DecayingPair::*value) {
   const Eigen::Index terms = pairs.size() > 4 ? 3 : 2;
   Eigen::MatrixXd powers(static_cast<Eigen::Index>(pairs.size()), terms);
-  Vector decrements(powers.rows());
+  Vector values(powers.rows());
   for (Eigen::Index i = 0; i < powers.rows(); ++i) {
-    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const DecayingPair& pair = pairs[static_cast<std::size_t>(i)];
     for (Eigen::Index term = 0; term < terms; ++term) powers(i, term) = std::pow(pair.off, static_cast<double>(term));
-    decrements(i) = pair.decrement;
+    values(i) = pair.*value;
   }
-  return powers.colPivHouseholderQr().solve(decrements)(0);
+  return powers.colPivHouseholderQr().solve(values)(0);
 }
 
 std::optional<DecayRoute> decay_route(const BenchSpan& bench, const BenchRun& run, double antinode_amplitude) {
-  const std::optional<double> decrement = decrement_at(run.steady.modal_amplitude, run.decay);
-  if (!decrement) return std::nullopt;
+  const std::vector<DecayingPair> pairs = decaying_pairs(run);
+  if (pairs.size() < 3) return std::nullopt;
   const double length = bench.span().built.length;
   const double frequency = run.steady.drive.frequency;
-  DecayRoute route{.amplitudes = run.decay, .decrement = *decrement};
+  DecayRoute route{.amplitudes = run.decay, .decrement = at_amplitude(pairs, &DecayingPair::decrement)};
   route.modal_energy = crest_energy(bench.span(), run.steady);
   route.power = 2 * route.decrement * route.modal_energy * frequency / length;
+  route.ledger = at_amplitude(pairs, &DecayingPair::loss) * frequency / length;
   route.by_sine = analysis::decay_method(route.decrement, {.mass_per_length = *casefile::mass_per_length(bench.scene()),
                                                            .frequency = frequency,
                                                            .velocity = 2 * pi * frequency * antinode_amplitude});

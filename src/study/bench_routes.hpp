@@ -45,6 +45,7 @@ struct DecayRoute {
   double modal_energy = 0;           ///< [J] measured
   double power = 0;                  ///< [W/m]
   double by_sine = 0;                ///< [W/m] with m L V^2/4
+  double ledger = 0;                 ///< [W/m] the ledger of the decaying cycles at the same amplitude
 };
 
 struct BenchRoutes {

@@ -61,6 +61,7 @@ json decay_json(const DecayRoute& route, double reference) {
   json out = {{"self_damping_W_per_m", route.power}};
   add_ratio(out, route.power, reference);
   out["by_sine_W_per_m"] = route.by_sine;
+  out["ledger_W_per_m"] = route.ledger;
   out["decrement"] = route.decrement;
   out["modal_energy_J"] = route.modal_energy;
   out["amplitudes_m"] = route.amplitudes;

@@ -233,6 +233,7 @@ class Bench {
     const Stretch stretch = vibrate({.frequency = drive_.frequency}, keys_.decay_cycles.value_or(12));
     run_.stopped = stretch.stopped;
     for (const std::complex<double>& q : stretch.modal) run_.decay.push_back(std::abs(q));
+    for (const Cycle& cycle : stretch.cycles) run_.decay_losses.push_back(cycle.friction + cycle.viscous);
   }
 
   BenchSpan& bench_;
