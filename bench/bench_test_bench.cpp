@@ -87,10 +87,10 @@ Periodic periodic(const Case& c, double amplitude) {
                                       {.drive = {.node = built.model.loads.front().node}, .control = {.node = control}},
                                       {.harmonics = 5});
   solver::PeriodicSolution s = solver.resonance(amplitude * y(control), solver.from_mode(mode, amplitude * y(control)));
-  std::size_t evaluations = s.section_evaluations;
+  std::size_t evaluations = s.effort.evaluations;
   if (!s.converged) {
     for (const solver::PeriodicSolution& each : solver.backbone({0.5 * amplitude, 0.8 * amplitude, amplitude}, mode)) {
-      evaluations += each.section_evaluations;
+      evaluations += each.effort.evaluations;
       s = each;
     }
   }

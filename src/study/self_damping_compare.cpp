@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "self_damping_parts.hpp"
 
@@ -150,12 +152,23 @@ void add_road_comparison(const Quadrature& quadrature, json& summary) {
   const json& points = summary["points"];
   json list = json::array();
   std::size_t judged = 0, apart = 0;
+  // The roads that are worth comparing with are few; most points have the one road of the grid.
+  std::vector<const json*> finished;
   for (const json& row : points) {
-    if (row.contains("failed")) continue;
+    if (!row.contains("failed")) finished.push_back(&row);
+  }
+  std::ranges::stable_sort(finished, {}, [](const json* row) { return rank(*row); });
+  const auto first_of_last_rank =
+      std::ranges::find_if(finished, [&](const json* row) { return rank(*row) == rank(*finished.back()); });
+  const std::span<const json* const> references(finished.begin(), first_of_last_rank);
+  for (const json& row : points) {
+    if (row.contains("failed") || references.empty()) continue;
     const json* reference = nullptr;
-    for (const json& other : points) {
-      if (other.contains("failed") || rank(other) >= rank(row) || !same_point(row, other)) continue;
-      if (!reference || rank(other) < rank(*reference)) reference = &other;
+    for (const json* other : references) {
+      if (rank(*other) >= rank(row)) break;
+      if (!same_point(row, *other)) continue;
+      reference = other;
+      break;
     }
     if (!reference) continue;
     list.push_back(compare(quadrature, row, *reference));

@@ -33,7 +33,7 @@ struct SectionState {
 struct LossOptions {
   int steps = 64;            ///< of half a cycle
   int knots_per_decade = 8;  ///< of chi - chi_on, in the first pass
-  double tolerance = 3e-4;   ///< [-] of D in the middle between two knots
+  double tolerance = 1e-3;   ///< [-] of D in the middle between two knots
   int passes = 6;            ///< at most
 };
 
