@@ -70,8 +70,7 @@ void keys(V& v, BenchKeys& b) {
   v.choice("start", b.start,
            {.help = "whether the span starts in its mode at the wanted amplitude, or at rest as in a laboratory"});
   v.number("cycles", b.cycles, {.help = "the number of cycles that are measured in steady state", .at_least = 4});
-  v.number("decay_cycles", b.decay_cycles,
-           {.help = "the number of cycles after the shaker is let go (12 unless given)", .at_least = 6});
+  v.number("decay_cycles", b.decay_cycles, {.help = "the number of cycles after the shaker is let go", .at_least = 6});
   v.number("max_cycles", b.max_cycles,
            {.help = "the number of cycles after which a vibration that is not steady is given up", .at_least = 40});
   v.number("amplitude_tolerance", b.amplitude_tolerance,

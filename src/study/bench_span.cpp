@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "self_damping_periodic.hpp"
 #include "strandyn/observe/deflection_points.hpp"
-#include "strandyn/study/mode_loss.hpp"
 
 namespace strandyn::study {
 
@@ -43,37 +43,15 @@ std::optional<ShakerKey> find_shaker(const Scene& scene) {
 
 namespace {
 
-/// The scene at the tension of a point. A frequency that is given as such is reached as in a laboratory, by the length.
-Scene scene_at(const Scene& scene, const Point& point, int& mode_number) {
-  Scene at = scene;
-  casefile::Span& span = *at.span;
-  span.tension = point.tension;
-  span.tension_rts.reset();
-  span.unstressed_length.reset();
-  mode_number = point.mode.value_or(1);
-  if (!point.mode) {
-    const ClampedMode mode = clamped_mode_at({.tension = point.tension,
-                                              .EI = casefile::section_numbers(scene).EI_max,
-                                              .mass_per_length = *casefile::mass_per_length(scene),
-                                              .length = *span.length},
-                                             point.frequency);
-    span.length = mode.beam.length;
-    mode_number = mode.number;
-  }
-  if (!find_shaker(scene)) {  // in the middle of the first loop
-    casefile::Load& force = at.loads.emplace_back();
-    force.type = LoadType::harmonic_force;
-    force.at = *span.length / (2 * mode_number);
-    force.amplitude = 1;
-    force.direction = casefile::Vector3{0, 1, 0};
-  }
-  return at;
-}
+/// Of the first loop. In its middle the force is smallest, and strong damping lets it be tuned.
+constexpr double shaker_place = 0.5;
 
 }  // namespace
 
 BenchSpan::BenchSpan(const Scene& scene, const Point& point)
-    : scene_(scene_at(scene, point, mode_number_)), span_(scene_) {
+    : mode_number_(span_of_point(scene, point).mode),
+      scene_(scene_of_point(scene, point, shaker_place)),
+      span_(scene_) {
   span_.apply_static_loads();
   set_proportional_damping(scene_, span_);
   find_mode();

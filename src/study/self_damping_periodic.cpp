@@ -13,9 +13,6 @@ using std::numbers::pi;
 
 namespace {
 
-/// Of a loop, from the left support: where a span without a drive of its own is shaken.
-constexpr double shaker_place = 0.25;
-
 void move_places(Scene& scene, double old_length, double new_length) {
   const auto move = [&](double& at) {
     if (at > old_length / 2) at += new_length - old_length;
@@ -101,7 +98,7 @@ SpanOfPoint span_of_point(const Scene& scene, const Point& point) {
   return {.mode = mode, .length = (mode * pi + turn) / k};
 }
 
-Scene scene_of_point(const Scene& scene, const Point& point) {
+Scene scene_of_point(const Scene& scene, const Point& point, double shaker_place) {
   const SpanOfPoint wanted = span_of_point(scene, point);
   Scene own = scene;
   move_places(own, *scene.span->length, wanted.length);

@@ -18,8 +18,9 @@ struct SpanOfPoint {
 SpanOfPoint span_of_point(const casefile::Scene& scene, const Point& point);
 
 /// The scene with that span, the tension of the point and its shaker. What is nearer to the right support than to the
-/// left one keeps its distance from the right one.
-casefile::Scene scene_of_point(const casefile::Scene& scene, const Point& point);
+/// left one keeps its distance from the right one. `shaker_place` is for a scene without a shaker: of a loop, from the
+/// left support.
+casefile::Scene scene_of_point(const casefile::Scene& scene, const Point& point, double shaker_place = 0.25);
 
 /// Throws InputError for a scene with a drive that a periodic response cannot have.
 Road periodic_road(const RoadContext& context);

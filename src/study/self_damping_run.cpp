@@ -6,6 +6,7 @@
 #include "self_damping_parts.hpp"
 #include "self_damping_periodic.hpp"
 #include "side_by_side.hpp"
+#include "test_bench.hpp"
 
 namespace strandyn::study {
 
@@ -153,11 +154,13 @@ void describe_self_damping(const Scene& scene, json& out) {
                   {"roads", roads},
                   {"tensions_N", distinct_tensions(points)},
                   {"mode_shape", casefile::name_of(scene.analysis.self_damping.mode_shape)}};
-  double evaluations = 0;
+  double periodic = 0, transient = 0;
   for (const Point& point : points) {
-    if (point.road == DampingRoad::periodic) evaluations += expected_evaluations(scene, point);
+    if (point.road == DampingRoad::periodic) periodic += expected_evaluations(scene, point);
+    if (point.road == DampingRoad::transient) transient += expected_bench_evaluations(scene, point);
   }
-  if (evaluations > 0) out["study"]["expected_cost"] = {{"periodic_section_evaluations", evaluations}};
+  if (periodic > 0) out["study"]["expected_cost"]["periodic_section_evaluations"] = periodic;
+  if (transient > 0) out["study"]["expected_cost"]["transient_section_evaluations"] = transient;
 }
 
 }  // namespace strandyn::study

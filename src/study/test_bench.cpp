@@ -8,6 +8,7 @@
 
 #include "expected_damping.hpp"
 #include "integration.hpp"
+#include "self_damping_periodic.hpp"
 
 namespace strandyn::study {
 
@@ -230,7 +231,7 @@ class Bench {
       run_.stopped = vibrate(drive, 1).stopped;
       if (run_.stopped) return;
     }
-    const Stretch stretch = vibrate({.frequency = drive_.frequency}, keys_.decay_cycles.value_or(12));
+    const Stretch stretch = vibrate({.frequency = drive_.frequency}, keys_.decay_cycles);
     run_.stopped = stretch.stopped;
     for (const std::complex<double>& q : stretch.modal) run_.decay.push_back(std::abs(q));
     for (const Cycle& cycle : stretch.cycles) run_.decay_losses.push_back(cycle.friction + cycle.viscous);
@@ -251,6 +252,17 @@ class Bench {
 };
 
 }  // namespace
+
+double expected_bench_evaluations(const casefile::Scene& scene, const Point& point) {
+  const casefile::Scene own = scene_of_point(scene, point);
+  const casefile::BuiltSpan span = casefile::build_span(own);
+  const auto points = static_cast<double>(span.model.elements.size() * beam::gauss_points);
+  const casefile::BenchKeys& keys = scene.analysis.self_damping.bench;
+  // Counted on slipping spans: some 20 periods of the first mode to become steady, and four questions a step.
+  const double cycles = 20 * span_of_point(scene, point).mode + keys.cycles + keys.decay_cycles;
+  constexpr double per_step = 4;
+  return points * cycles * scene.integrator.steps_per_cycle.value_or(200) * per_step;
+}
 
 BenchRun run_bench(BenchSpan& bench, double antinode_amplitude, const BenchHooks& hooks) {
   return Bench(bench, antinode_amplitude, hooks).go();

@@ -45,6 +45,9 @@ struct BenchHooks {
   std::function<void(const std::string&)> tell = {};  ///< how far, in words
 };
 
+/// How many section evaluations a run from the mode will about take.
+double expected_bench_evaluations(const casefile::Scene& scene, const Point& point);
+
 /// Throws ComputationError where the vibration does not become steady, or an integration fails.
 BenchRun run_bench(BenchSpan& bench, double antinode_amplitude, const BenchHooks& hooks);
 

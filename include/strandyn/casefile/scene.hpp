@@ -274,7 +274,7 @@ struct EnergyBalanceKeys {
 struct BenchKeys {
   BenchStart start = BenchStart::mode;
   int cycles = 20;                    ///< measured, once the vibration is steady
-  std::optional<int> decay_cycles;    ///< after the shaker is let go; empty: by the damping
+  int decay_cycles = 12;              ///< after the shaker is let go
   int max_cycles = 3000;              ///< until the vibration is steady
   double amplitude_tolerance = 2e-3;  ///< [-] of the wanted antinode amplitude
 };
