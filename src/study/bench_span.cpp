@@ -7,39 +7,13 @@
 #include <numbers>
 
 #include "self_damping_periodic.hpp"
+#include "shaken_span.hpp"
 #include "strandyn/observe/deflection_points.hpp"
 
 namespace strandyn::study {
 
-using casefile::LoadType;
-using casefile::MotionType;
-using casefile::refuse;
 using casefile::Scene;
 using system::Vector;
-
-std::optional<ShakerKey> find_shaker(const Scene& scene) {
-  std::optional<ShakerKey> shaker;
-  const auto take = [&](bool moves, std::size_t entry, bool harmonic, bool table) {
-    const std::string path = fmt::format("{}[{}]", moves ? "motion" : "load", entry);
-    if (table) refuse(scene.source, path, "has a history of its own, and a test bench has one shaker", "leave it out");
-    if (!harmonic) return;
-    if (shaker) refuse(scene.source, path, "is a second shaker, and a test bench has one", "leave it out");
-    shaker = {.moves = moves, .entry = entry};
-  };
-  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
-    const casefile::Load& load = scene.loads[i];
-    take(false, i, load.type == LoadType::harmonic_force, load.type == LoadType::table);
-    if (load.type == LoadType::harmonic_force && (load.is_moment() || !load.at)) {
-      refuse(scene.source, fmt::format("load[{}]", i), "is no force at a point, as the shaker of a test bench is",
-             "give at_m and amplitude_N, or a [[motion]]");
-    }
-  }
-  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
-    const MotionType type = scene.motions[i].type;
-    take(true, i, type == MotionType::harmonic_motion, type == MotionType::table);
-  }
-  return shaker;
-}
 
 namespace {
 
@@ -57,17 +31,18 @@ BenchSpan::BenchSpan(const Scene& scene, const Point& point)
   find_mode();
 
   model::Model& model = span_.built.model;
-  const ShakerKey shaker = *find_shaker(scene_);
-  moves_ = shaker.moves;
+  const Shaker shaker = shaker_of(scene_);
+  moves_ = shaker.motion.has_value();
   const std::vector<std::size_t>& from = moves_ ? span_.built.motion_of : span_.built.load_of;
-  entry_ = static_cast<std::size_t>(std::ranges::find(from, shaker.entry) - from.begin());
+  const std::size_t key = moves_ ? *shaker.motion : *shaker.load;
+  entry_ = static_cast<std::size_t>(std::ranges::find(from, key) - from.begin());
   node_ = moves_ ? model.motions[entry_].node : model.loads[entry_].node;
   shaker_position_ = model::arc_lengths(model)[node_];
   if (moves_) {
-    const casefile::Vector3& axis = *scene_.motions[shaker.entry].direction;
+    const casefile::Vector3& axis = *scene_.motions[key].direction;
     sign_ = axis[0] + axis[1] + axis[2] > 0 ? 1 : -1;
   } else {
-    direction_ = Eigen::Vector3d(scene_.loads[shaker.entry].direction->data());
+    direction_ = Eigen::Vector3d(scene_.loads[key].direction->data());
   }
   find_response();
 }

@@ -12,14 +12,6 @@
 
 namespace strandyn::study {
 
-/// [[load]] or [[motion]] number `entry` of the scene; nothing where the scene has no shaker.
-struct ShakerKey {
-  bool moves = false;  ///< a prescribed motion, else a force
-  std::size_t entry = 0;
-};
-/// Throws InputError where the scene has several shakers, or one that is no force and no motion of a point.
-std::optional<ShakerKey> find_shaker(const casefile::Scene& scene);
-
 /// Of one integration.
 struct Drive {
   double frequency = 0;  ///< [Hz]

@@ -5,6 +5,7 @@
 
 #include "bench_routes.hpp"
 #include "self_damping_parts.hpp"
+#include "shaken_span.hpp"
 
 namespace strandyn::study {
 
@@ -19,7 +20,18 @@ void check(const Scene& scene) {
     refuse(scene.source, "integrator.step", "a test bench counts its cycles in whole steps",
            "use \"fixed\" or \"auto\"");
   }
-  find_shaker(scene);
+  const auto check_history = [&](bool table, const char* kind, std::size_t i) {
+    if (!table) return;
+    refuse(scene.source, fmt::format("{}[{}]", kind, i), "has a history of its own, and a test bench has one shaker",
+           "leave it out");
+  };
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    check_history(scene.loads[i].type == casefile::LoadType::table, "load", i);
+  }
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
+    check_history(scene.motions[i].type == casefile::MotionType::table, "motion", i);
+  }
+  shaker_of(scene);
 }
 
 void add_ratio(json& out, double power, double reference) {

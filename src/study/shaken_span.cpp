@@ -32,7 +32,7 @@ void check_free(const Scene& scene, const Shaker& shaker, const SpanAtRest& span
 void check_shaker(const Scene& scene, const Shaker& shaker) {
   const auto check = [&](bool fits, const std::string& path, const char* wrong) {
     if (fits) return;
-    refuse(scene.source, path, fmt::format("{}, and a periodic response needs one drive across the span", wrong),
+    refuse(scene.source, path, fmt::format("{}, and a shaker moves one point across the span", wrong),
            "give one harmonic force at a point (at_m), or one harmonic displacement of a support, along [0, 1, 0]");
   };
   if (shaker.load) {
@@ -133,7 +133,7 @@ Shaker shaker_of(const Scene& scene) {
   if (drives > 1) {
     refuse(scene.source,
            shaker.load ? fmt::format("load[{}]", *shaker.load) : fmt::format("motion[{}]", *shaker.motion),
-           "is a second drive, and a periodic response has one",
+           "is a second shaker, and a span has one",
            "give one [[load]] of type \"harmonic-force\" or one [[motion]] of type \"harmonic-motion\"");
   }
   check_shaker(scene, shaker);

@@ -120,7 +120,7 @@ TEST_CASE("test bench: what has no shaker of one frequency is refused") {
                        InputError);
   CHECK_THROWS_WITH_AS(study::run_case(linear_bench("[[load]]\ntype = \"harmonic-force\"\nper_length = true\n"
                                                     "amplitude_N = 1\nfrequency_Hz = 20\n")),
-                       doctest::Contains("is no force at a point"), InputError);
+                       doctest::Contains("acts on the whole span"), InputError);
   CHECK_THROWS_WITH_AS(study::run_case(linear_bench("", {"integrator.method=ida", "integrator.step=adaptive"})),
                        doctest::Contains("counts its cycles in whole steps"), InputError);
 }
