@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "strandyn/casefile/build.hpp"
+#include "strandyn/build/span.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/casefile/schema.hpp"
 #include "strandyn/conductor/catalogue.hpp"
@@ -25,7 +25,7 @@ casefile::Scene scene_of(std::string_view conductor) {
 
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const casefile::Scene scene = casefile::read_scene(file, overrides);
-  casefile::check_buildable(scene);
+  build::check_buildable(scene);
   fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::name_of(scene.analysis.type));
   return ExitCode::done;
 }

@@ -17,7 +17,7 @@ void CycleObserver::Range::widen(std::size_t i, double value) {
   high[i] = std::max(high[i], value);
 }
 
-void CycleObserver::begin(const system::System& system, const solver::StepRecord& initial) {
+void CycleObserver::begin(const system::System& system, const StepRecord& initial) {
   ledger_.begin(system, initial);
   before_ = cycle_start_ = ledger_.now();
   time_before_ = initial.time;
@@ -34,7 +34,7 @@ void CycleObserver::restart(const system::System& system) {
   friction_.assign(system.committed_strains().points(), 0.0);
 }
 
-void CycleObserver::watch(const system::System& system, const solver::StepRecord& record) {
+void CycleObserver::watch(const system::System& system, const StepRecord& record) {
   for (std::size_t i = 0; i < places_->size(); ++i) deflection_.widen(i, places_->at(record.u.data(), i));
   const section::Field& strains = system.committed_strains();
   for (std::size_t point = 0; point < friction_.size(); ++point) {
@@ -43,7 +43,7 @@ void CycleObserver::watch(const system::System& system, const solver::StepRecord
   }
 }
 
-void CycleObserver::step(const system::System& system, const solver::StepRecord& record) {
+void CycleObserver::step(const system::System& system, const StepRecord& record) {
   ledger_.step(system, record);
   const AlignedVector& dissipated = system.step_energy().dissipated;
   for (std::size_t point = 0; point < friction_.size(); ++point) friction_[point] += dissipated[point];

@@ -31,16 +31,16 @@ Vector3d viscous_force(const model::Model& model, const Vector& v) {
 
 }  // namespace
 
-void ProbeHistories::begin(const system::System& system, const solver::StepRecord& initial) {
+void ProbeHistories::begin(const system::System& system, const StepRecord& initial) {
   for (std::size_t node : nodes_) start_.push_back(system.model().displacement(initial.u.data(), node));
   keep(system, initial);
 }
 
-void ProbeHistories::step(const system::System& system, const solver::StepRecord& record) {
+void ProbeHistories::step(const system::System& system, const StepRecord& record) {
   keep(system, record);
 }
 
-void ProbeHistories::keep(const system::System& system, const solver::StepRecord& record) {
+void ProbeHistories::keep(const system::System& system, const StepRecord& record) {
   times_.push_back(record.time);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     histories_[i].push_back(system.model().displacement(record.u.data(), nodes_[i]) - start_[i]);
@@ -79,7 +79,7 @@ std::optional<double> ProbeHistories::frequency(std::size_t probe) const {
   return static_cast<double>(passages.size() - 1) / (passages.back() - passages.front());
 }
 
-Vector3d MomentumObserver::outer_force(const system::System& system, const solver::StepRecord& record) const {
+Vector3d MomentumObserver::outer_force(const system::System& system, const StepRecord& record) const {
   const model::Model& model = system.model();
   Vector external = system.make_vector();
   Vector internal = external;
@@ -94,14 +94,14 @@ Vector3d MomentumObserver::outer_force(const system::System& system, const solve
   return total(model, external) - total(model, internal) - viscous_force(model, record.v);
 }
 
-Vector3d MomentumObserver::find_momentum(const system::System& system, const solver::StepRecord& record) {
+Vector3d MomentumObserver::find_momentum(const system::System& system, const StepRecord& record) {
   system.mass_matrix(record.u.data(), *matrix_);
   Vector product = system.make_vector();
   matrix_->multiply(record.v.data(), product.data());
   return total(system.model(), product);
 }
 
-void MomentumObserver::begin(const system::System& system, const solver::StepRecord& initial) {
+void MomentumObserver::begin(const system::System& system, const StepRecord& initial) {
   const model::Model& model = system.model();
   matrix_.emplace(system.make_matrix());
   start_ = momentum_ = find_momentum(system, initial);
@@ -117,7 +117,7 @@ void MomentumObserver::begin(const system::System& system, const solver::StepRec
   }
 }
 
-void MomentumObserver::step(const system::System& system, const solver::StepRecord& record) {
+void MomentumObserver::step(const system::System& system, const StepRecord& record) {
   const Vector3d force = outer_force(system, record);
   impulse_ += 0.5 * record.step * (force_ + force);
   force_ = force;

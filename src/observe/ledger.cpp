@@ -18,7 +18,7 @@ Account interpolate(const Account& from, const Account& to, double part) {
 }
 
 /// Forces on the chain; at supports that move, what the support has to do.
-void Ledger::evaluate(const system::System& system, const solver::StepRecord& record, system::Vector& external,
+void Ledger::evaluate(const system::System& system, const StepRecord& record, system::Vector& external,
                       system::Vector& internal) {
   system.external_force({.time = record.time}, record.u.data(), external.data());
   system.internal_force(record.u.data(), internal.data());
@@ -30,7 +30,7 @@ void Ledger::evaluate(const system::System& system, const solver::StepRecord& re
   }
 }
 
-void Ledger::begin(const system::System& system, const solver::StepRecord& initial) {
+void Ledger::begin(const system::System& system, const StepRecord& initial) {
   u_ = initial.u;
   external_ = internal_ = next_external_ = next_internal_ = system::Vector::Zero(u_.size());
   evaluate(system, initial, external_, internal_);
@@ -40,7 +40,7 @@ void Ledger::begin(const system::System& system, const solver::StepRecord& initi
   now_.initial_kinetic = now_.kinetic = system.kinetic_energy(initial.u.data(), initial.v.data());
 }
 
-void Ledger::step(const system::System& system, const solver::StepRecord& record) {
+void Ledger::step(const system::System& system, const StepRecord& record) {
   evaluate(system, record, next_external_, next_internal_);
   const system::ViscousLoss power = system.viscous_power(record.v.data());
 

@@ -20,17 +20,17 @@ Complex turned_back(const Drive& drive, double time) {
 
 }  // namespace
 
-CyclePhasors::Sample CyclePhasors::sample(const solver::StepRecord& record) const {
+CyclePhasors::Sample CyclePhasors::sample(const observe::StepRecord& record) const {
   const Complex turn = turned_back(drive_, record.time);
   return {.modal = bench_.modal_coordinate(record.u) * turn, .driven = bench_.driven_displacement(record.u) * turn};
 }
 
-void CyclePhasors::begin(const system::System&, const solver::StepRecord& initial) {
+void CyclePhasors::begin(const system::System&, const observe::StepRecord& initial) {
   before_ = sample(initial);
   end_ = {.u = initial.u, .v = initial.v};
 }
 
-void CyclePhasors::step(const system::System&, const solver::StepRecord& record) {
+void CyclePhasors::step(const system::System&, const observe::StepRecord& record) {
   const Sample now = sample(record);
   const double weight = record.step * drive_.frequency;  // half a step of 2/T
   sum_.modal += weight * (before_.modal + now.modal);
@@ -45,13 +45,13 @@ void CyclePhasors::step(const system::System&, const solver::StepRecord& record)
   sum_ = {};
 }
 
-void SteadyPhasors::begin(const system::System& system, const solver::StepRecord& initial) {
+void SteadyPhasors::begin(const system::System& system, const observe::StepRecord& initial) {
   const auto points = static_cast<Eigen::Index>(system.committed_strains().points());
   motion_ = Eigen::VectorXcd::Zero(initial.u.size());
   curvature_ = moment_ = Eigen::MatrixXcd::Zero(points, axes.size());
 }
 
-void SteadyPhasors::step(const system::System& system, const solver::StepRecord& record) {
+void SteadyPhasors::step(const system::System& system, const observe::StepRecord& record) {
   const Complex turn = record.step * turned_back(drive_, record.time);
   weight_ += record.step / 2;
   force_ += turn * bench_.shaker_force(cycles_.ledger().external_force());

@@ -12,11 +12,11 @@
 namespace strandyn::study {
 
 /// Of single points, cycle by cycle, by the trapezoidal rule: they may grow or decay.
-class CyclePhasors final : public solver::Observer {
+class CyclePhasors final : public observe::Observer {
  public:
   CyclePhasors(const BenchSpan& bench, const Drive& drive) : bench_(bench), drive_(drive) {}
-  void begin(const system::System& system, const solver::StepRecord& initial) override;
-  void step(const system::System& system, const solver::StepRecord& record) override;
+  void begin(const system::System& system, const observe::StepRecord& initial) override;
+  void step(const system::System& system, const observe::StepRecord& record) override;
 
   const std::vector<std::complex<double>>& modal() const { return modal_; }    ///< [m] of the mode's coordinate
   const std::vector<std::complex<double>>& driven() const { return driven_; }  ///< [m] of the shaker's point
@@ -26,7 +26,7 @@ class CyclePhasors final : public solver::Observer {
   struct Sample {
     std::complex<double> modal, driven;
   };
-  Sample sample(const solver::StepRecord& record) const;
+  Sample sample(const observe::StepRecord& record) const;
 
   const BenchSpan& bench_;
   Drive drive_;
@@ -36,13 +36,13 @@ class CyclePhasors final : public solver::Observer {
 };
 
 /// Of the whole span over all cycles of a steady run, each sample weighed with its step.
-class SteadyPhasors final : public solver::Observer {
+class SteadyPhasors final : public observe::Observer {
  public:
   /// `cycles` must listen before this: the forces of a step are those of its ledger.
   SteadyPhasors(const BenchSpan& bench, const Drive& drive, const observe::CycleObserver& cycles)
       : bench_(bench), drive_(drive), cycles_(cycles) {}
-  void begin(const system::System& system, const solver::StepRecord& initial) override;
-  void step(const system::System& system, const solver::StepRecord& record) override;
+  void begin(const system::System& system, const observe::StepRecord& initial) override;
+  void step(const system::System& system, const observe::StepRecord& record) override;
 
   std::complex<double> force() const { return force_ / weight_; }    ///< [N] of the shaker
   std::complex<double> driven() const { return driven_ / weight_; }  ///< [m] its point

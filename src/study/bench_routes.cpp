@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "strandyn/solver/periodic.hpp"
+#include "strandyn/solver/periodic/periodic.hpp"
 
 namespace strandyn::study {
 

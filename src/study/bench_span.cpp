@@ -51,7 +51,7 @@ void BenchSpan::find_mode() {
   const auto number = static_cast<std::size_t>(mode_number_);
   const solver::Mode mode = solver::transverse_modes(span_.system, span_.u, number)[number - 1];
   frequency_ = mode.frequency;
-  loop_length_ = casefile::loop_length(scene_, span_.built.tension, frequency_);
+  loop_length_ = build::loop_length(scene_, span_.built.tension, frequency_);
   shape_ = mode.shape / observe::DeflectionPoints(span_.built.model, loop_length_).largest(mode.shape.data());
   system::Matrix M = span_.system.make_matrix();
   span_.system.mass_matrix(span_.u.data(), M);

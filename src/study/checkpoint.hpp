@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "strandyn/casefile/scene.hpp"
-#include "strandyn/solver/integrator.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "strandyn/study/run_case.hpp"
 
 namespace strandyn::study {

@@ -37,7 +37,7 @@ json conductor_json(const Scene& scene) {
   return out;
 }
 
-json mesh_json(const casefile::BuiltSpan& built, const casefile::SectionNumbers& numbers) {
+json mesh_json(const build::BuiltSpan& built, const build::SectionNumbers& numbers) {
   double shortest = built.length;
   double longest = 0;
   for (const beam::SpatialElement& element : built.model.elements) {
@@ -78,7 +78,7 @@ json vibration_json(const Scene& scene, SpanAtRest& span) {
   json out = plan_json(plan);
   out["cycles"] = plan.cycles;
   out["until_steady"] = plan.until_steady;
-  out["loop_length_m"] = casefile::loop_length(scene, span.built.tension, plan.frequency);
+  out["loop_length_m"] = build::loop_length(scene, span.built.tension, plan.frequency);
   out["expected_cost"] = {{"steps", steps},
                           {"section_evaluations", steps * evaluations_per_step * points},
                           {"wall_s_at_least", steps * evaluations_per_step * evaluation_time(span)}};
@@ -93,11 +93,11 @@ json describe_case(const Scene& scene) {
   out["analysis"] = casefile::name_of(scene.analysis.type);
   out["section_law"] = casefile::name_of(scene.section.law);
   if (scene.conductor) out["conductor"] = conductor_json(scene);
-  const casefile::SectionNumbers n = casefile::section_numbers(scene);
+  const build::SectionNumbers n = build::section_numbers(scene);
   out["section"] = section_json(n);
   const AnalysisType type = scene.analysis.type;
   if (type == AnalysisType::section || type == AnalysisType::axial_torsion) {
-    casefile::check_buildable(scene);
+    build::check_buildable(scene);
     return out;
   }
   if (type == AnalysisType::self_damping) {
@@ -110,7 +110,7 @@ json describe_case(const Scene& scene) {
                  {"unstressed_length_m", span.built.model.unstressed_length()},
                  {"mass_kg_per_m", span.built.model.inertia.mass},
                  {"rotary_inertia_kg_m", span.built.model.inertia.rotary},
-                 {"wave_speed_m_per_s", casefile::wave_speed(scene, span.built.tension)}};
+                 {"wave_speed_m_per_s", build::wave_speed(scene, span.built.tension)}};
   out["mesh"] = mesh_json(span.built, n);
   if (type == AnalysisType::decay || type == AnalysisType::forced) {
     span.apply_static_loads();

@@ -42,7 +42,7 @@ int choose_steps_per_cycle(const Integrator& integrator, const StepDemand& deman
 
 solver::IntegratorSummary integrate(const Integrator& integrator, system::System& system,
                                     const solver::InitialMotion& initial, const solver::IntegratorOptions& options,
-                                    std::span<solver::Observer* const> observers) {
+                                    std::span<observe::Observer* const> observers) {
   if (integrator.method == Method::ida) return solver::integrate_ida(system, initial, options, observers);
   return solver::integrate_generalized_alpha(system, initial, options, method_of(integrator), observers);
 }

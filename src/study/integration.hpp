@@ -5,8 +5,8 @@
 #include <string>
 
 #include "strandyn/casefile/scene.hpp"
-#include "strandyn/solver/generalized_alpha.hpp"
-#include "strandyn/solver/ida.hpp"
+#include "strandyn/solver/time/generalized_alpha.hpp"
+#include "strandyn/solver/time/ida.hpp"
 
 namespace strandyn::study {
 
@@ -25,6 +25,6 @@ int choose_steps_per_cycle(const casefile::Integrator& integrator, const StepDem
 
 solver::IntegratorSummary integrate(const casefile::Integrator& integrator, system::System& system,
                                     const solver::InitialMotion& initial, const solver::IntegratorOptions& options,
-                                    std::span<solver::Observer* const> observers);
+                                    std::span<observe::Observer* const> observers);
 
 }  // namespace strandyn::study

@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "strandyn/casefile/build.hpp"
-#include "strandyn/solver/integrator.hpp"
-#include "strandyn/solver/modes.hpp"
+#include "strandyn/build/span.hpp"
+#include "strandyn/solver/modes/modes.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "strandyn/study/run_case.hpp"
 #include "strandyn/system/system.hpp"
 
@@ -26,7 +26,7 @@ struct SpanAtRest {
   /// Brings the loads that do not change to their full size: what a vibration is about.
   void apply_static_loads();
 
-  casefile::BuiltSpan built;
+  build::BuiltSpan built;
   system::System system;
   system::Vector u;
 };
@@ -67,7 +67,7 @@ void announce(const casefile::Scene& scene, const VibrationPlan& plan, const Hoo
 VibrationPlan plan_vibration(const casefile::Scene& scene, SpanAtRest& span);
 
 /// `section` of summary.json, also of what `describe` tells.
-nlohmann::ordered_json section_json(const casefile::SectionNumbers& numbers);
+nlohmann::ordered_json section_json(const build::SectionNumbers& numbers);
 
 /// cost.* of summary.json from an integration, with a warning of steps that fell back to order 1.
 void add_integration(const solver::IntegratorSummary& run, const system::System& system, CaseResult& result);

@@ -42,11 +42,11 @@ double set_frequencies(const Scene& scene, SpanAtRest& span, const std::vector<s
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const casefile::Load& load = scene.loads[i];
     if (load.type != casefile::LoadType::harmonic_force) continue;
-    casefile::set_load_frequency(span.built, i, frequency_of(load));
+    build::set_load_frequency(span.built, i, frequency_of(load));
   }
   for (std::size_t i = 0; i < scene.motions.size(); ++i) {
     if (scene.motions[i].type != casefile::MotionType::harmonic_motion) continue;
-    casefile::set_motion_frequency(span.built, i, frequency_of(scene.motions[i]));
+    build::set_motion_frequency(span.built, i, frequency_of(scene.motions[i]));
   }
   return highest;
 }
@@ -111,7 +111,7 @@ VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
   const auto mode = [&](int number) -> const solver::Mode& { return modes[static_cast<std::size_t>(number) - 1]; };
   // Antinode amplitudes are those away from the ends: next to a clamp the crest of a mode is a little higher.
   const auto unit_antinode = [&](const solver::Mode& m) -> system::Vector {
-    const double loop = casefile::loop_length(scene, span.built.tension, m.frequency);
+    const double loop = build::loop_length(scene, span.built.tension, m.frequency);
     return m.shape / observe::DeflectionPoints(span.built.model, loop).largest(m.shape.data());
   };
 

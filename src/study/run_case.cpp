@@ -134,7 +134,7 @@ const char* status_word(ExitCode code) {
 
 }  // namespace
 
-json section_json(const casefile::SectionNumbers& n) {
+json section_json(const build::SectionNumbers& n) {
   return {
       {"EA_N", n.EA}, {"GJ_N_m2", n.GJ}, {"C_AT_N_m", n.C_AT}, {"EI_min_N_m2", n.EI_min}, {"EI_max_N_m2", n.EI_max}};
 }
@@ -156,7 +156,7 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   s["status"] = "";  // set at the end; stands here so that it is read first
   s["program"] = program();
   s["case"] = casefile::case_as_run(scene);
-  s["section"] = section_json(casefile::section_numbers(scene));
+  s["section"] = section_json(build::section_numbers(scene));
   s["cost"] = {{"wall_s", 0.0},
                {"cpu_s", 0.0},
                {"steps", 0},

@@ -95,11 +95,11 @@ class March {
   March(const Scene& scene, Variant& variant)
       : loops_(variant.loops),
         steps_per_cycle_(scene.analysis.section.steps_per_cycle),
-        law_(casefile::build_law(scene, dimension_of(scene), variant.strand ? &*variant.strand : nullptr)),
+        law_(build::build_law(scene, dimension_of(scene), variant.strand ? &*variant.strand : nullptr)),
         strains_(law_->dimension(), loops_.size()),
         stresses_(law_->dimension(), loops_.size()),
         energy_(loops_.size()) {
-    const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+    const build::SectionNumbers numbers = build::section_numbers(scene);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
       const AxialState state = axial_state(numbers, scene.analysis.section.twist, loops_[i].tension);
       strains_[Component::axial][i] = state.strain;

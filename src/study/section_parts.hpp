@@ -10,7 +10,7 @@ struct AxialState {
   double strain = 0;  ///< [-]
   double twist = 0;   ///< [rad/m] 0 where twist is held
 };
-AxialState axial_state(const casefile::SectionNumbers& n, casefile::Twist twist, double tension);
+AxialState axial_state(const build::SectionNumbers& n, casefile::Twist twist, double tension);
 
 /// A section twists only in the spatial law; the planar one serves, and costs less, where it does not.
 section::Dimension dimension_of(const casefile::Scene& scene);

@@ -46,7 +46,7 @@ class Rows {
     const double torsion = value("torsion_per_m", row, 0);
     double strain = value("axial_strain", row, 0);
     if (!path_.has("axial_strain")) {
-      const casefile::SectionNumbers n = casefile::section_numbers(scene_);
+      const build::SectionNumbers n = build::section_numbers(scene_);
       strain = (value("tension_N", row, tension_) - n.C_AT * torsion) / n.EA;
     }
     return {strain, torsion, value("curvature_2_per_m", row, 0), value("curvature_3_per_m", row, 0)};
@@ -69,7 +69,7 @@ void run_section_path(const Scene& scene, CaseResult& result) {
   const Rows rows(scene, path);
   const bool planar = !path.has("torsion_per_m") && !path.has("curvature_3_per_m") && !scene.section.axial_resultants;
   const auto dimension = planar ? section::Dimension::planar : section::Dimension::spatial;
-  const auto law = casefile::build_law(scene, dimension);
+  const auto law = build::build_law(scene, dimension);
   Field strains(dimension, 1);
   Field stresses(dimension, 1);
   section::StepEnergy energy(1);

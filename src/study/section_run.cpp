@@ -7,7 +7,7 @@ namespace strandyn::study {
 using casefile::Scene;
 using json = nlohmann::ordered_json;
 
-AxialState axial_state(const casefile::SectionNumbers& n, casefile::Twist twist, double tension) {
+AxialState axial_state(const build::SectionNumbers& n, casefile::Twist twist, double tension) {
   if (twist == casefile::Twist::held || n.C_AT == 0) return {.strain = tension / n.EA, .twist = 0};
   // Free to twist: M1 = C_AT eps + GJ chi1 = 0.
   const double strain = tension / (n.EA - n.C_AT * n.C_AT / n.GJ);

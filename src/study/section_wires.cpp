@@ -44,7 +44,7 @@ void list_wires(const Scene& scene, CaseResult& result) {
   const conductor::Strand& strand = scene.conductor->strand;
   const std::vector<double> tensions = casefile::section_tensions(scene);
   const double tension = tensions.empty() ? 0 : tensions.front();
-  const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+  const build::SectionNumbers numbers = build::section_numbers(scene);
   const AxialState axial = axial_state(numbers, scene.analysis.section.twist, tension);
 
   const section::SpatialReturnMap law(strand, {.points = scene.section.points});

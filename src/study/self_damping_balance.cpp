@@ -76,7 +76,7 @@ constexpr double lowest_over_diameter = 0.01;
 json balance_json(const Scene& scene, const casefile::EnergyBalanceKeys& keys, const analysis::Balance& balance,
                   double frequency, double tension) {
   const conductor::Strand& strand = scene.conductor->strand;
-  const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+  const build::SectionNumbers numbers = build::section_numbers(scene);
   json row = {{"wind", casefile::name_of(keys.wind)},
               {"turbulence_intensity", keys.turbulence_intensity},
               {"self_damping", casefile::name_of(keys.self_damping)}};
@@ -94,7 +94,7 @@ json balance_json(const Scene& scene, const casefile::EnergyBalanceKeys& keys, c
   row["within_curve"] = balance.within_curve;
   row["from_lowest"] = balance.from_lowest;
   const analysis::ClampedEnd end = {.tension = tension, .EI_min = numbers.EI_min};
-  const double loop = casefile::loop_length(scene, tension, frequency);
+  const double loop = build::loop_length(scene, tension, frequency);
   const double bending =
       analysis::bending_amplitude(end, {.antinode_amplitude = balance.antinode_amplitude, .loop_length = loop});
   row["bending_amplitude_m"] = bending;
@@ -142,7 +142,7 @@ void add_energy_balances(const BalanceInputs& inputs, CaseResult& result) {
       continue;
     }
     const analysis::Wind wind = {.curve = curve_of(keys.wind),
-                                 .diameter = casefile::section_numbers(inputs.scene).diameter,
+                                 .diameter = build::section_numbers(inputs.scene).diameter,
                                  .turbulence_intensity = keys.turbulence_intensity};
     for (double tension : distinct_tensions(inputs.points)) {
       const analysis::SelfDamping damping = damping_of(inputs, keys, tension);

@@ -33,7 +33,7 @@ PointResult failed(std::string why, const ResonanceAt& found) {
 /// [-] bending stiffness over EI_max of the tensioned beam that has the resonance at the mean tension of the vibration;
 /// its wave is as long as EI_max at rest makes it.
 double effective_stiffness(const Scene& scene, const Point& point, double resonance, double mean_tension) {
-  const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+  const build::SectionNumbers numbers = build::section_numbers(scene);
   const double mass = *casefile::mass_per_length(scene);
   const double EI_max = numbers.EI_max;
   const double k =
@@ -87,7 +87,7 @@ SpanOfPoint span_of_point(const Scene& scene, const Point& point) {
   const casefile::Span& span = *scene.span;
   if (point.mode) return {.mode = *point.mode, .length = *span.length};
   const double mass = *casefile::mass_per_length(scene);
-  const double EI = casefile::section_numbers(scene).EI_max;
+  const double EI = build::section_numbers(scene).EI_max;
   const double k = analysis::wavenumber({.tension = point.tension, .mass_per_length = mass, .EI = EI}, point.frequency);
   // k L = n pi + atan(k/q) for each clamped end, where the boundary layers of the two do not meet.
   const double q = std::sqrt(k * k + point.tension / EI);
@@ -138,7 +138,7 @@ Road periodic_road(const RoadContext& context) {
 
 double expected_evaluations(const Scene& scene, const Point& point) {
   const Scene own = scene_of_point(scene, point);
-  const casefile::BuiltSpan span = casefile::build_span(own);
+  const build::BuiltSpan span = build::build_span(own);
   const auto points = static_cast<double>(span.model.elements.size() * beam::gauss_points);
   // Counted on slipping spans: some ten times around the loops and derivatives by each coefficient twice, each two
   // cycles of one commit and one response.

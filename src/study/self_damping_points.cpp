@@ -21,7 +21,7 @@ double mode_frequency(const Scene& scene, casefile::DampingRoad road, double ten
                                                    scene.analysis.self_damping.mode_shape == casefile::ModeShape::sine);
   if (string) return exact::frequency({.tension = tension, .mass_per_length = mass, .length = length}, mode);
   const exact::TensionedBeam beam = {
-      .tension = tension, .EI = casefile::section_numbers(scene).EI_max, .mass_per_length = mass, .length = length};
+      .tension = tension, .EI = build::section_numbers(scene).EI_max, .mass_per_length = mass, .length = length};
   const bool pinned = road != casefile::DampingRoad::quadrature && scene.span->left == casefile::Support::pinned &&
                       scene.span->right == casefile::Support::pinned;
   const exact::BeamEnds ends = pinned ? exact::BeamEnds::pinned : exact::BeamEnds::clamped;
@@ -57,7 +57,7 @@ std::vector<casefile::DampingAt> single_points(const Scene& scene) {
 }  // namespace
 
 std::vector<Point> self_damping_points(const Scene& scene) {
-  const double diameter = casefile::section_numbers(scene).diameter;
+  const double diameter = build::section_numbers(scene).diameter;
   std::vector<Point> points;
   for (const casefile::DampingAt& at : single_points(scene)) {
     Point point{.road = at.road.value_or(scene.analysis.self_damping.road), .mode = at.mode};

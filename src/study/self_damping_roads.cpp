@@ -27,7 +27,7 @@ bool goes_over_clamped_modes(const Scene& scene) {
   return scene.analysis.self_damping.mode_shape == casefile::ModeShape::clamped;
 }
 
-exact::TensionedBeam beam_of(const Scene& scene, const casefile::SectionNumbers& numbers, double tension) {
+exact::TensionedBeam beam_of(const Scene& scene, const build::SectionNumbers& numbers, double tension) {
   return {.tension = tension,
           .EI = numbers.EI_max,
           .mass_per_length = *casefile::mass_per_length(scene),
@@ -37,7 +37,7 @@ exact::TensionedBeam beam_of(const Scene& scene, const casefile::SectionNumbers&
 /// The points whose sectional loss will be asked for: those of the road, and the ends of every energy balance.
 std::vector<Point> points_of_quadrature(const Scene& scene, const std::vector<Point>& all) {
   const casefile::SelfDampingAnalysis& a = scene.analysis.self_damping;
-  const double diameter = casefile::section_numbers(scene).diameter;
+  const double diameter = build::section_numbers(scene).diameter;
   std::vector<Point> points;
   std::ranges::copy_if(all, std::back_inserter(points),
                        [](const Point& point) { return point.road == DampingRoad::quadrature; });
@@ -66,9 +66,9 @@ bool needs_quadrature(const casefile::SelfDampingAnalysis& analysis) {
 }
 
 Quadrature::Quadrature(const Scene& scene, const std::vector<Point>& all)
-    : scene_(scene), numbers_(casefile::section_numbers(scene)), mass_(*casefile::mass_per_length(scene)) {
+    : scene_(scene), numbers_(build::section_numbers(scene)), mass_(*casefile::mass_per_length(scene)) {
   const std::vector<Point> points = points_of_quadrature(scene, all);
-  const auto law = casefile::build_law(scene_, section::Dimension::planar);
+  const auto law = build::build_law(scene_, section::Dimension::planar);
   const std::vector<double> tensions = distinct_tensions(points);
   std::vector<std::optional<SectionalLoss>> losses(tensions.size());
   side_by_side(tensions.size(), [&](std::size_t i) {
@@ -108,7 +108,7 @@ double Quadrature::loss_at(double tension, double curvature) const {
   for (int i = 0; i < places; ++i) {
     amplitudes.push_back(curvature * std::sin((i + 0.5) * std::numbers::pi / (2 * places)));
   }
-  const auto law = casefile::build_law(scene_, section::Dimension::planar);
+  const auto law = build::build_law(scene_, section::Dimension::planar);
   section::Effort effort;
   double sum = 0;
   for (double loss : loss_per_cycle(*law, {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max},
@@ -134,7 +134,7 @@ PointResult Quadrature::operator()(const Point& point) const {
 
 Road simplified_road(const Scene& scene) {
   const casefile::SimplifiedLoss& given = scene.analysis.self_damping.simplified;
-  const casefile::SectionNumbers numbers = casefile::section_numbers(scene);
+  const build::SectionNumbers numbers = build::section_numbers(scene);
   const double mass = *casefile::mass_per_length(scene);
   return [&scene, &given, numbers, mass](const Point& point) -> PointResult {
     exact::Foti2018 conductor = {.EI = given.EI.value_or(numbers.EI_max - numbers.EI_min),

@@ -146,7 +146,7 @@ void run_self_damping(const Scene& scene, const Hooks& hooks, CaseResult& result
 }
 
 void describe_self_damping(const Scene& scene, json& out) {
-  casefile::check_buildable(scene);
+  build::check_buildable(scene);
   const std::vector<Point> points = self_damping_points(scene);
   std::map<std::string, std::size_t> roads;
   for (const Point& point : points) ++roads[std::string(casefile::name_of(point.road))];

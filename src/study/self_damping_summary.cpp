@@ -149,7 +149,7 @@ std::optional<analysis::PowerLaw> add_fits(const Scene& scene, json& summary) {
   summary["fit"] = fit_json(fit);
   if (!free_span.empty()) summary["fit_free_span"] = fit_json(analysis::fit_power_law(free_span));
   for (const auto& [lowest, highest] : a.bands) {
-    const double diameter = casefile::section_numbers(scene).diameter;
+    const double diameter = build::section_numbers(scene).diameter;
     json band = {{"lowest_over_diameter", lowest}, {"highest_over_diameter", highest}};
     band.update(
         fit_json(analysis::fit_power_law(free_span, {.lowest = lowest * diameter, .highest = highest * diameter})));

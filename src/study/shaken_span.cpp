@@ -141,15 +141,15 @@ Shaker shaker_of(const Scene& scene) {
 }
 
 ShakenSpan::ShakenSpan(const Scene& scene, double frequency, const casefile::PeriodicKeys& keys)
-    : span_(scene), axial_stiffness_(casefile::section_numbers(scene).EA) {
+    : span_(scene), axial_stiffness_(build::section_numbers(scene).EA) {
   const Shaker shaker = shaker_of(scene);
   span_.apply_static_loads();
   set_proportional_damping(scene, span_);
-  const double loop = casefile::loop_length(scene, span_.built.tension, frequency);
+  const double loop = build::loop_length(scene, span_.built.tension, frequency);
   NumberedMode found = nearest_mode(span_, frequency, loop);
   mode_ = std::move(found.mode);
   mode_number_ = found.number;
-  places_.emplace(span_.built.model, casefile::loop_length(scene, span_.built.tension, mode_.frequency));
+  places_.emplace(span_.built.model, build::loop_length(scene, span_.built.tension, mode_.frequency));
   setup_ = {.kind = shaker.load ? solver::DriveKind::force : solver::DriveKind::motion,
             .drive = drive_place(span_, shaker),
             .control = control_place(span_, mode_, mode_number_ >= 3 ? span_.built.length / mode_number_ : 0)};

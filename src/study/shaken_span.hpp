@@ -7,7 +7,7 @@
 
 #include "parts.hpp"
 #include "strandyn/observe/deflection_points.hpp"
-#include "strandyn/solver/periodic.hpp"
+#include "strandyn/solver/periodic/periodic.hpp"
 
 namespace strandyn::study {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "parts.hpp"
-#include "strandyn/solver/equilibrium.hpp"
+#include "strandyn/solver/static/equilibrium.hpp"
 
 namespace strandyn::study {
 
@@ -10,7 +10,7 @@ using casefile::Scene;
 using json = nlohmann::ordered_json;
 
 SpanAtRest::SpanAtRest(const Scene& scene)
-    : built(casefile::build_span(scene)), system(built.model), u(system.make_vector()) {
+    : built(build::build_span(scene)), system(built.model), u(system.make_vector()) {
   if (built.hanging.size() > 0) {
     u = solver::find_rest(system, {.guess = built.hanging, .straight = built.straight});
   } else {

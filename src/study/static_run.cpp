@@ -4,7 +4,7 @@
 
 #include "parts.hpp"
 #include "slip_map.hpp"
-#include "strandyn/solver/equilibrium.hpp"
+#include "strandyn/solver/static/equilibrium.hpp"
 
 namespace strandyn::study {
 

@@ -91,10 +91,10 @@ class Bench {
   }
 
   Stretch vibrate(const Drive& drive, double cycles, observe::CycleObserver& account,
-                  std::span<solver::Observer* const> instruments = {}) {
+                  std::span<observe::Observer* const> instruments = {}) {
     bench_.set_drive(drive);
     CyclePhasors phasors(bench_, drive);
-    std::vector<solver::Observer*> observers = {&account, &phasors};
+    std::vector<observe::Observer*> observers = {&account, &phasors};
     observers.insert(observers.end(), instruments.begin(), instruments.end());
     solver::IntegratorOptions options{.step = 1 / (drive.frequency * run_.cost.steps_per_cycle),
                                       .end_time = cycles / drive.frequency,
@@ -196,7 +196,7 @@ class Bench {
     const auto cycles = static_cast<std::size_t>(keys_.cycles);
     observe::CycleObserver account(account_of(drive_, cycles));
     SteadyPhasors phasors(bench_, drive_, account);
-    solver::Observer* const instruments[] = {&phasors};
+    observe::Observer* const instruments[] = {&phasors};
     const Stretch stretch = vibrate(drive_, static_cast<double>(cycles), account, instruments);
     run_.stopped = stretch.stopped;
     if (run_.stopped) return;
@@ -255,7 +255,7 @@ class Bench {
 
 double expected_bench_evaluations(const casefile::Scene& scene, const Point& point) {
   const casefile::Scene own = scene_of_point(scene, point);
-  const casefile::BuiltSpan span = casefile::build_span(own);
+  const build::BuiltSpan span = build::build_span(own);
   const auto points = static_cast<double>(span.model.elements.size() * beam::gauss_points);
   const casefile::BenchKeys& keys = scene.analysis.self_damping.bench;
   // Counted on slipping spans: some 20 periods of the first mode to become steady, and four questions a step.

@@ -7,7 +7,7 @@
 #include "parts.hpp"
 #include "strandyn/observe/histories.hpp"
 #include "strandyn/observe/ledger.hpp"
-#include "strandyn/solver/ida.hpp"
+#include "strandyn/solver/time/ida.hpp"
 
 namespace strandyn::study {
 
@@ -41,17 +41,17 @@ std::vector<std::size_t> probe_nodes(const Scene& scene, const model::Model& mod
 }
 
 /// One row per step of the energies and cumulated works.
-class EnergyHistory final : public solver::Observer {
+class EnergyHistory final : public observe::Observer {
  public:
   EnergyHistory()
       : table_({"t_s", "kinetic_J", "elastic_J", "external_work_J", "friction_dissipation_J", "viscous_dissipation_J",
                 "numerical_dissipation_J", "quadrature_error_J"}) {}
 
-  void begin(const system::System& system, const solver::StepRecord& initial) override {
+  void begin(const system::System& system, const observe::StepRecord& initial) override {
     ledger_.begin(system, initial);
     append(initial.time);
   }
-  void step(const system::System& system, const solver::StepRecord& record) override {
+  void step(const system::System& system, const observe::StepRecord& record) override {
     ledger_.step(system, record);
     append(record.time);
   }
@@ -81,11 +81,11 @@ class EnergyHistory final : public solver::Observer {
   results::Table table_;
 };
 
-class ProgressReport final : public solver::Observer {
+class ProgressReport final : public observe::Observer {
  public:
   ProgressReport(double duration, const Hooks& hooks) : duration_(duration), hooks_(hooks) {}
-  void begin(const system::System&, const solver::StepRecord&) override {}
-  void step(const system::System&, const solver::StepRecord& record) override {
+  void begin(const system::System&, const observe::StepRecord&) override {}
+  void step(const system::System&, const observe::StepRecord& record) override {
     if (!hooks_.progress) return;
     hooks_.progress(record.time / duration_, fmt::format("t = {:.4g} s of {:.4g} s", record.time, duration_));
   }
@@ -152,7 +152,7 @@ void run_transient(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   observe::MomentumObserver momentum;
   EnergyHistory energy;
   ProgressReport progress(duration, hooks);
-  solver::Observer* const observers[] = {&probes, &momentum, &energy, &progress};
+  observe::Observer* const observers[] = {&probes, &momentum, &energy, &progress};
   solver::IntegratorOptions options = options_of(scene, plan, duration);
   options.stop = hooks.stop;
   const solver::IntegratorSummary run =

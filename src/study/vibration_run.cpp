@@ -113,13 +113,13 @@ bool is_steady(const std::vector<Cycle>& cycles) {
 }
 
 /// Tells how far the run is.
-class ProgressReport final : public solver::Observer {
+class ProgressReport final : public observe::Observer {
  public:
   ProgressReport(const VibrationPlan& plan, const Hooks& hooks, const observe::CycleObserver& cycles)
       : plan_(plan), hooks_(hooks), cycles_(cycles) {}
-  void begin(const system::System&, const solver::StepRecord&) override {}
+  void begin(const system::System&, const observe::StepRecord&) override {}
   void archive(Archive&) override {}
-  void step(const system::System&, const solver::StepRecord& record) override {
+  void step(const system::System&, const observe::StepRecord& record) override {
     if (!hooks_.progress) return;
     const double end = static_cast<double>(plan_.cycles) / plan_.frequency;
     const double amplitude = cycles_.cycles().empty() ? 0 : cycles_.cycles().back().antinode_amplitude;
@@ -167,11 +167,11 @@ void run_vibration(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   const VibrationPlan plan = plan_vibration(scene, span);
   announce(scene, plan, hooks, result);
 
-  const double loop_length = casefile::loop_length(scene, span.built.tension, plan.frequency);
+  const double loop_length = build::loop_length(scene, span.built.tension, plan.frequency);
   warn_of_coarse_mesh(span, loop_length, result);
   observe::CycleObserver cycles({.period = 1 / plan.frequency, .loop_length = loop_length});
   ProgressReport progress(plan, hooks, cycles);
-  solver::Observer* const observers[] = {&cycles, &progress};
+  observe::Observer* const observers[] = {&cycles, &progress};
   bool interrupted = false;
   bool steady = false;
   std::size_t judged = 0;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "strandyn/casefile/build.hpp"
+#include "strandyn/build/span.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/core/error.hpp"
 #include "texts.hpp"
@@ -41,7 +41,7 @@ TEST_CASE("every file of cases/refused is refused in the words that it asks for"
     CHECK(phrases.size() >= 2);
     std::string message = "accepted";
     try {
-      casefile::check_buildable(casefile::read_scene(entry.path()));
+      build::check_buildable(casefile::read_scene(entry.path()));
     } catch (const InputError& error) {
       message = error.what();
     }

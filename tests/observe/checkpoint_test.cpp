@@ -8,13 +8,13 @@
 #include "solver/vibration.hpp"
 #include "strandyn/core/error.hpp"
 #include "strandyn/observe/cycles.hpp"
-#include "strandyn/solver/generalized_alpha.hpp"
+#include "strandyn/solver/time/generalized_alpha.hpp"
 
 using namespace strandyn;
 using model::Freedom;
+using observe::StepRecord;
 using solver::IntegratorOptions;
 using solver::IntegratorSummary;
-using solver::StepRecord;
 using system::System;
 using system::Vector;
 using test::Vibration;
@@ -22,7 +22,7 @@ using test::Vibration;
 namespace {
 
 using Integrator = std::function<IntegratorSummary(Vibration&, double amplitude, const IntegratorOptions&,
-                                                   std::span<solver::Observer* const>)>;
+                                                   std::span<observe::Observer* const>)>;
 
 const Integrator ida = [](Vibration& vibration, double amplitude, const IntegratorOptions& options, auto observers) {
   return solver::integrate_ida(vibration.system, vibration.start(amplitude), options, observers);
@@ -41,7 +41,7 @@ struct Step {
 };
 
 /// Remembers the steps that it has seen itself.
-class Steps final : public solver::Observer {
+class Steps final : public observe::Observer {
  public:
   void begin(const System&, const StepRecord&) override {}
   void step(const System&, const StepRecord& r) override {
@@ -105,7 +105,7 @@ Outcome run(const Integrator& integrator, const Scene& scene, const std::set<std
                          .resume = resume};
   Steps watch;
   observe::CycleObserver cycles({.period = vibration.period(), .loop_length = 2.5, .kept = 2});
-  solver::Observer* const observers[] = {&watch, &cycles};
+  observe::Observer* const observers[] = {&watch, &cycles};
   outcome.summary = integrator(vibration, scene.amplitude, options, observers);
   REQUIRE_MESSAGE(outcome.summary.ending == solver::Ending::finished, outcome.summary.failure);
   outcome.steps = watch.seen;
@@ -197,7 +197,7 @@ TEST_CASE("checkpoint: a state of another span or another integrator is refused"
 }
 
 TEST_CASE("checkpoint: an observer that cannot be kept is named and not forgotten") {
-  class Forgetful final : public solver::Observer {
+  class Forgetful final : public observe::Observer {
     void begin(const System&, const StepRecord&) override {}
     void step(const System&, const StepRecord&) override {}
   };
@@ -205,6 +205,6 @@ TEST_CASE("checkpoint: an observer that cannot be kept is named and not forgotte
   IntegratorOptions options = vibration.options(20, 1);
   options.checkpoints = {.due = [] { return true; }, .keep = [](const std::string&) {}};
   Forgetful forgetful;
-  solver::Observer* const observers[] = {&forgetful};
+  observe::Observer* const observers[] = {&forgetful};
   CHECK_THROWS_AS(ida(vibration, 1e-3, options, observers), ComputationError);
 }

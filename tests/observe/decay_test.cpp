@@ -29,7 +29,7 @@ struct Decay {
 
 CycleObserver watch(Vibration& vibration, std::size_t mode, const Decay& decay) {
   CycleObserver observer({.period = vibration.period(), .loop_length = 30 / static_cast<double>(mode)});
-  solver::Observer* const observers[] = {&observer};
+  observe::Observer* const observers[] = {&observer};
   const auto summary = integrate_ida(vibration.system, vibration.start(decay.amplitude),
                                      vibration.options(decay.steps_per_cycle, decay.cycles), observers);
   CHECK(summary.ending == solver::Ending::finished);
@@ -158,7 +158,7 @@ TEST_CASE("forced vibration: at resonance the force brings in what drag takes, a
   vibration.model.loads = {
       {.node = 5, .force = {0, 2, 0}, .history = model::Harmonic{.frequency = vibration.mode.frequency}}};
   CycleObserver observer({.period = vibration.period(), .loop_length = 10});
-  solver::Observer* const observers[] = {&observer};
+  observe::Observer* const observers[] = {&observer};
   // zeta = 3.3 %: after 60 cycles exp(-2 pi zeta 60) = 4e-6 of the start is left.
   integrate_ida(vibration.system, {.u = vibration.rest, .v = vibration.rest}, vibration.options(200, 60), observers);
   const Cycle& last = observer.cycles().back();

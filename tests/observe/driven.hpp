@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "strandyn/solver/step_record.hpp"
+#include "strandyn/observe/step_record.hpp"
 #include "system/spans.hpp"
 
 namespace strandyn::test {
@@ -44,14 +44,14 @@ class Driven {
     system.begin(swing_(0).deflection * shape_);
   }
 
-  void begin(solver::Observer& observer) { observer.begin(system, record(0)); }
-  void step_to(solver::Observer& observer, double time) { observer.step(system, record(time)); }
+  void begin(observe::Observer& observer) { observer.begin(system, record(0)); }
+  void step_to(observe::Observer& observer, double time) { observer.step(system, record(time)); }
 
   model::Model model;
   system::System system;
 
  private:
-  solver::StepRecord record(double time) {
+  observe::StepRecord record(double time) {
     const Swing swing = swing_(time);
     u_ = swing.deflection * shape_;
     v_ = swing.rate * shape_;

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "strandyn/observe/ledger.hpp"
-#include "strandyn/solver/ida.hpp"
+#include "strandyn/solver/time/ida.hpp"
 #include "support/check_close.hpp"
 #include "system/freedoms.hpp"
 
@@ -52,11 +52,11 @@ model::Model driven_string(Freedom freedom) {
 }
 
 /// Keeps the ledger at the last two cycle ends, and the sine and cosine part of the motion at a node in between.
-class Watch final : public solver::Observer {
+class Watch final : public observe::Observer {
  public:
   Watch(Eigen::Index unknown, double from) : unknown_(unknown), from_(from) {}
-  void begin(const System& system, const solver::StepRecord& initial) override { ledger_.begin(system, initial); }
-  void step(const System& system, const solver::StepRecord& record) override {
+  void begin(const System& system, const observe::StepRecord& initial) override { ledger_.begin(system, initial); }
+  void step(const System& system, const observe::StepRecord& record) override {
     ledger_.step(system, record);
     if (record.time < from_ + 1e-9) {
       before = ledger_.now();
@@ -89,7 +89,7 @@ TEST_CASE("moving support: a string driven at its end swings as the exact one an
     // The start dies out as exp(-c t/(2 m)): 1e-7 of it is left after 19 cycles.
     constexpr double cycles = 20;
     Watch watch(place(model, 12, Unknown::y), (cycles - 1) / frequency);
-    solver::Observer* const observers[] = {&watch};
+    observe::Observer* const observers[] = {&watch};
     const auto summary =
         solver::integrate_ida(system, {.u = zeros(model), .v = zeros(model)},
                               {.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}}, observers);

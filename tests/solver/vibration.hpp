@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "strandyn/solver/ida.hpp"
-#include "strandyn/solver/modes.hpp"
+#include "strandyn/solver/modes/modes.hpp"
+#include "strandyn/solver/time/ida.hpp"
 #include "system/spans.hpp"
 
 namespace strandyn::test {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "self_damping_scene.hpp"
-#include "strandyn/casefile/build.hpp"
+#include "strandyn/build/span.hpp"
 #include "strandyn/section/multilinear.hpp"
 #include "strandyn/study/mode_loss.hpp"
 #include "strandyn/study/sectional_loss.hpp"
@@ -20,13 +20,13 @@ struct Curlew {
   explicit Curlew(const std::string& law_name)
       : scene(
             test::damping_scene(law_name, "frequencies_Hz = 20\namplitude_over_diameter = 0.1\ntensions_rts = 0.2\n")),
-        law(casefile::build_law(scene, section::Dimension::planar)),
-        numbers(casefile::section_numbers(scene)),
+        law(build::build_law(scene, section::Dimension::planar)),
+        numbers(build::section_numbers(scene)),
         state{.axial_strain = 0.2 * scene.conductor->strand.rated_strength / numbers.EA, .EI_max = numbers.EI_max} {}
 
   casefile::Scene scene;
   std::shared_ptr<const section::Law> law;
-  casefile::SectionNumbers numbers;
+  build::SectionNumbers numbers;
   study::SectionState state;
 };
 

@@ -3,11 +3,12 @@
 source "$(dirname "$0")/support.sh"
 
 put tools/layers.txt <<'T'
-# level module
-0  core    # below
-2  beam    # in the middle
-2  section # beside beam
-5  solver  # above
+# level module: uses
+0 core:                # below
+2 beam: core           # in the middle
+2 section:             # beside beam
+5 solver/static: beam  # above
+5 solver/time: core    # beside it
 T
 put include/strandyn/core/error.hpp <<<'#include <string>'
 put src/beam/element.cpp <<'T'
@@ -17,17 +18,32 @@ put src/beam/element.cpp <<'T'
 #include "local.hpp"
 // #include "strandyn/solver/solve.hpp" is only talked about here
 T
+put src/solver/static/path.cpp <<<'#include "strandyn/beam/element.hpp"'
+put src/solver/time/step.cpp <<<'#include "strandyn/core/error.hpp"'
 
 case $1 in
   downward) accepted check_layers ;;
   upward)
-    put include/strandyn/beam/element.hpp <<<$'#pragma once\n#  include "strandyn/solver/solve.hpp"'
-    refused check_layers \
-      'include/strandyn/beam/element.hpp:2: beam (level 2) includes "strandyn/solver/solve.hpp" (level 5)'
+    put tools/layers.txt <<'T'
+0 core:
+2 beam: core solver/static
+5 solver/static: beam
+5 solver/time: core
+T
+    put include/strandyn/beam/element.hpp <<<$'#pragma once\n#  include "strandyn/solver/static/solve.hpp"'
+    refused check_layers 'tools/layers.txt:2: beam (level 2) uses solver/static (level 5)'
     ;;
   sideways)
     put src/section/law.cpp <<<'#include <strandyn/beam/element.hpp>'
-    refused check_layers 'src/section/law.cpp:1: section (level 2) includes "strandyn/beam/element.hpp" (level 2)'
+    refused check_layers 'src/section/law.cpp:1: section includes "strandyn/beam/element.hpp"'
+    ;;
+  missing)
+    put src/solver/time/step.cpp <<<$'#include "strandyn/core/error.hpp"\n#include "strandyn/solver/static/path.hpp"'
+    refused check_layers 'src/solver/time/step.cpp:2: solver/time includes "strandyn/solver/static/path.hpp"'
+    ;;
+  unused)
+    put src/solver/static/path.cpp <<<'#include <vector>'
+    refused check_layers 'solver/static names beam and includes nothing of it'
     ;;
   climbing)
     put src/section/law.cpp <<<'#include "../beam/local.hpp"'
@@ -40,14 +56,14 @@ case $1 in
     refused check_layers 'src/beam/other.cpp:1: "strandyn/gone/x.hpp" names no module'
     ;;
   sundials)
-    put src/solver/ida.cpp <<<'#include <ida/ida.h>'
+    put src/solver/time/ida.cpp <<<'#include <ida/ida.h>'
     accepted check_layers
-    put include/strandyn/solver/ida.hpp <<<'#include <sundials/sundials_context.h>'
-    refused check_layers 'include/strandyn/solver/ida.hpp:1: "sundials/sundials_context.h" is a header of SUNDIALS'
+    put src/solver/static/path.cpp <<<$'#include "strandyn/beam/element.hpp"\n#include <sundials/sundials_context.h>'
+    refused check_layers 'src/solver/static/path.cpp:2: "sundials/sundials_context.h" is a header of SUNDIALS'
     ;;
   table)
     put tools/layers.txt <<<'core 0'
-    refused check_layers 'tools/layers.txt:1: expected a level and a module'
+    refused check_layers 'tools/layers.txt:1: expected a level, a module, a colon'
     ;;
   *) fail "no such scenario: $1" ;;
 esac

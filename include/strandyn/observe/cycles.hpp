@@ -41,12 +41,12 @@ struct Profile {
 };
 
 /// Cuts a run into cycles. An end that falls inside a step is found by linear interpolation of the ledger.
-class CycleObserver final : public solver::Observer {
+class CycleObserver final : public Observer {
  public:
   explicit CycleObserver(CycleOptions options) : options_(options) {}
 
-  void begin(const system::System& system, const solver::StepRecord& initial) override;
-  void step(const system::System& system, const solver::StepRecord& record) override;
+  void begin(const system::System& system, const StepRecord& initial) override;
+  void step(const system::System& system, const StepRecord& record) override;
   void archive(Archive& a) override;
 
   const std::vector<Cycle>& cycles() const { return cycles_; }
@@ -67,7 +67,7 @@ class CycleObserver final : public solver::Observer {
     void archive(Archive& a) { a(friction, curvature_amplitude); }
   };
 
-  void watch(const system::System& system, const solver::StepRecord& record);
+  void watch(const system::System& system, const StepRecord& record);
   void end_cycle(const Account& at_end, double time);
   void restart(const system::System& system);
 

@@ -9,17 +9,17 @@
 #include <optional>
 #include <vector>
 
-#include "strandyn/solver/step_record.hpp"
+#include "strandyn/observe/step_record.hpp"
 
 namespace strandyn::observe {
 
 /// Displacements of some nodes from their places in the initial state.
-class ProbeHistories final : public solver::Observer {
+class ProbeHistories final : public Observer {
  public:
   explicit ProbeHistories(std::vector<std::size_t> nodes) : nodes_(std::move(nodes)), histories_(nodes_.size()) {}
 
-  void begin(const system::System& system, const solver::StepRecord& initial) override;
-  void step(const system::System& system, const solver::StepRecord& record) override;
+  void begin(const system::System& system, const StepRecord& initial) override;
+  void step(const system::System& system, const StepRecord& record) override;
 
   std::size_t size() const { return nodes_.size(); }
   std::size_t node(std::size_t probe) const { return nodes_[probe]; }
@@ -33,7 +33,7 @@ class ProbeHistories final : public solver::Observer {
   std::optional<double> frequency(std::size_t probe) const;
 
  private:
-  void keep(const system::System& system, const solver::StepRecord& record);
+  void keep(const system::System& system, const StepRecord& record);
 
   std::vector<std::size_t> nodes_;
   std::vector<Eigen::Vector3d> start_;
@@ -42,10 +42,10 @@ class ProbeHistories final : public solver::Observer {
 };
 
 /// Linear momentum against the impulse of all that acts from outside.
-class MomentumObserver final : public solver::Observer {
+class MomentumObserver final : public Observer {
  public:
-  void begin(const system::System& system, const solver::StepRecord& initial) override;
-  void step(const system::System& system, const solver::StepRecord& record) override;
+  void begin(const system::System& system, const StepRecord& initial) override;
+  void step(const system::System& system, const StepRecord& record) override;
 
   const Eigen::Vector3d& momentum() const { return momentum_; }  ///< [kg m/s]
   const Eigen::Vector3d& mass() const { return mass_; }          ///< [kg] that moves along each axis
@@ -53,8 +53,8 @@ class MomentumObserver final : public solver::Observer {
   double largest_deviation() const { return deviation_; }        ///< [N s] of the change of momentum from the impulse
 
  private:
-  Eigen::Vector3d outer_force(const system::System& system, const solver::StepRecord& record) const;
-  Eigen::Vector3d find_momentum(const system::System& system, const solver::StepRecord& record);
+  Eigen::Vector3d outer_force(const system::System& system, const StepRecord& record) const;
+  Eigen::Vector3d find_momentum(const system::System& system, const StepRecord& record);
 
   Eigen::Vector3d start_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d momentum_ = start_, impulse_ = start_, force_ = start_;

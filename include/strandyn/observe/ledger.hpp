@@ -11,7 +11,7 @@
 /// no code with stored and dissipated energies: internal - (change of elastic + friction - E_quad) is the error of the
 /// trapezoidal rule over the curved motion of the chain, and falls with the square of the step.
 
-#include "strandyn/solver/step_record.hpp"
+#include "strandyn/observe/step_record.hpp"
 
 namespace strandyn::observe {
 
@@ -34,10 +34,10 @@ struct Account {
 /// Between two accounts, each term linear in `part` from 0 to 1: the remainder stays what the terms leave over.
 Account interpolate(const Account& from, const Account& to, double part);
 
-class Ledger final : public solver::Observer {
+class Ledger final : public Observer {
  public:
-  void begin(const system::System& system, const solver::StepRecord& initial) override;
-  void step(const system::System& system, const solver::StepRecord& record) override;
+  void begin(const system::System& system, const StepRecord& initial) override;
+  void step(const system::System& system, const StepRecord& record) override;
   void archive(Archive& a) override { a(now_, initial_elastic_, power_, u_, external_, internal_); }
 
   const Account& now() const { return now_; }
@@ -45,7 +45,7 @@ class Ledger final : public solver::Observer {
   const system::Vector& external_force() const { return external_; }
 
  private:
-  static void evaluate(const system::System& system, const solver::StepRecord& record, system::Vector& external,
+  static void evaluate(const system::System& system, const StepRecord& record, system::Vector& external,
                        system::Vector& internal);
 
   Account now_;

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "strandyn/casefile/build.hpp"
+#include "strandyn/build/span.hpp"
 #include "strandyn/section/law.hpp"
 #include "strandyn/study/sectional_loss.hpp"
 
@@ -69,7 +69,7 @@ class Quadrature {
 
  private:
   const casefile::Scene& scene_;
-  casefile::SectionNumbers numbers_;
+  build::SectionNumbers numbers_;
   double mass_ = 0;  ///< [kg/m]
   std::vector<Table> tables_;
 };

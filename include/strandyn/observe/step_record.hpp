@@ -1,0 +1,31 @@
+#pragma once
+/// \file What an integrator tells of every accepted step, and who may listen.
+
+#include "strandyn/core/archive.hpp"
+#include "strandyn/core/error.hpp"
+#include "strandyn/system/system.hpp"
+
+namespace strandyn::observe {
+
+/// Valid during the call only: whoever wants to keep something copies it.
+struct StepRecord {
+  double time = 0;  ///< [s] at the end of the step
+  double step = 0;  ///< [s] its length; 0 for the initial state
+  int order = 0;
+  const system::Vector& u;  ///< displacements [m] and rotations [rad]
+  const system::Vector& v;  ///< velocities; 0 for unknowns without mass
+  const system::Vector& a;  ///< accelerations; 0 for unknowns without mass
+  system::Accepted accepted;
+};
+
+/// Sees the initial state and every accepted step, after the commit.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void begin(const system::System& system, const StepRecord& initial) = 0;
+  virtual void step(const system::System& system, const StepRecord& record) = 0;
+  /// What it has gathered, for checkpoints: written, or read after `begin`. Whoever gathers nothing does nothing.
+  virtual void archive(Archive&) { throw ComputationError("an observer of this run cannot be kept in a checkpoint"); }
+};
+
+}  // namespace strandyn::observe

@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "parts.hpp"
+
+namespace strandyn::build {
+
+using model::Unknown;
+
+namespace {
+
+Eigen::Vector3d vector(const casefile::Vector3& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// In the order of model::Unknown. A support that holds a place holds the twist there; only a free end twists.
+model::Support support(std::size_t node, casefile::Support kind) {
+  switch (kind) {
+    case casefile::Support::clamped:
+      return {.node = node, .fixed = {true, true, true, true, true, true}};
+    case casefile::Support::pinned:
+      return {.node = node, .fixed = {true, true, true, true, false, false}};
+    case casefile::Support::roller:
+      return {.node = node, .fixed = {false, true, true, true, false, false}};
+    case casefile::Support::guided:
+      return {.node = node, .fixed = {false, true, true, true, true, true}};
+    case casefile::Support::free:
+      break;
+  }
+  return {.node = node, .fixed = {}};
+}
+
+/// The node at a distance [m] from the left support.
+std::size_t node_at(const casefile::Scene& scene, const BuiltSpan& built, double at, const std::string& key) {
+  const std::size_t node = model::nearest_node(built.model, at);
+  if (std::abs(model::arc_lengths(built.model)[node] - at) > 1e-9 * built.length) {
+    casefile::refuse(scene.source, key, "the mesh is too coarse to have a node there",
+                     "give more [span] elements, or move it to a support or to another load");
+  }
+  return node;
+}
+
+model::TimeFunction table(const std::vector<std::array<double, 2>>& history) {
+  model::Tabulated table;
+  for (const auto& [time, value] : history) {
+    table.time.push_back(time);
+    table.value.push_back(value);
+  }
+  return table;
+}
+
+model::TimeFunction history_of(const casefile::Load& load) {
+  if (load.type == casefile::LoadType::static_force) return model::Constant{};
+  if (load.type == casefile::LoadType::harmonic_force) return model::Harmonic{.frequency = load.frequency.value_or(0)};
+  return table(load.history);
+}
+
+model::TimeFunction history_of(const casefile::Motion& motion) {
+  if (motion.type == casefile::MotionType::static_motion) return model::Constant{};
+  if (motion.type == casefile::MotionType::harmonic_motion)
+    return model::Harmonic{.frequency = motion.frequency.value_or(0)};
+  return table(motion.history);
+}
+
+/// [m] of the reference configuration that each node stands for.
+std::vector<double> tributary_lengths(const model::Model& model) {
+  std::vector<double> share(model.nodes.size(), 0.0);
+  for (std::size_t e = 0; e < model.elements.size(); ++e) {
+    for (std::size_t node : {e, e + 1}) share[node] += model.elements[e].span.norm() / 2;
+  }
+  return share;
+}
+
+void add_weight(const casefile::Scene& scene, BuiltSpan& built) {
+  const double weight = *casefile::mass_per_length(scene) * gravity;
+  for (std::size_t e = 0; e < built.model.elements.size(); ++e) {
+    for (std::size_t node : {e, e + 1}) {
+      const double share = weight * built.model.elements[e].length / 2;
+      built.model.loads.push_back({.node = node, .force = {0, -share, 0}, .dead = true});
+      built.load_of.push_back(scene.loads.size());  // none of them
+    }
+  }
+}
+
+/// The span moves in the plane of x and y only; then so does what acts on it.
+void refuse_out_of_plane(const casefile::Scene& scene, double out_of_plane, const std::string& key, bool turns) {
+  if (scene.span->dimension == casefile::Dimension::spatial || out_of_plane == 0) return;
+  casefile::refuse(scene.source, key, "a planar span moves in the x-y plane only",
+                   turns ? "turn about z: [0, 0, 1]" : "use a direction such as [0, 1, 0]");
+}
+
+}  // namespace
+
+void add_supports(const casefile::Scene& scene, BuiltSpan& built) {
+  built.model.supports = {support(0, scene.span->left), support(built.model.nodes.size() - 1, scene.span->right)};
+}
+
+void add_loads(const casefile::Scene& scene, BuiltSpan& built) {
+  for (std::size_t number = 0; number < scene.loads.size(); ++number) {
+    const casefile::Load& load = scene.loads[number];
+    const Eigen::Vector3d direction = vector(*load.direction);
+    const bool turns = load.is_moment();
+    refuse_out_of_plane(scene, turns ? direction.head<2>().norm() : std::abs(direction.z()),
+                        fmt::format("load[{}].direction", number), turns);
+    const double size = load.type == casefile::LoadType::table ? 1 : load.value();
+    const auto add = [&](std::size_t node, double share) {
+      const Eigen::Vector3d value = share * size * direction;
+      const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+      built.model.loads.push_back({.node = node,
+                                   .force = turns ? none : value,
+                                   .moment = turns ? value : none,
+                                   .history = history_of(load),
+                                   .dead = false});
+      built.load_of.push_back(number);
+    };
+    if (load.at) {
+      add(node_at(scene, built, *load.at, fmt::format("load[{}].at_m", number)), 1);
+      continue;
+    }
+    const std::vector<double> share = tributary_lengths(built.model);
+    for (std::size_t i = 0; i < share.size(); ++i) add(i, share[i]);
+  }
+  if (scene.span->gravity) add_weight(scene, built);
+}
+
+void add_motions(const casefile::Scene& scene, BuiltSpan& built) {
+  for (std::size_t number = 0; number < scene.motions.size(); ++number) {
+    const casefile::Motion& motion = scene.motions[number];
+    const std::string key = fmt::format("motion[{}]", number);
+    const Eigen::Vector3d direction = vector(*motion.direction);
+    const bool turns = motion.is_rotation();
+    refuse_out_of_plane(scene, turns ? direction.head<2>().norm() : std::abs(direction.z()), key + ".direction", turns);
+    Eigen::Index axis = 0;
+    direction.cwiseAbs().maxCoeff(&axis);
+    const auto unknown = static_cast<Unknown>(axis + (turns ? 3 : 0));
+    std::size_t node = motion.support == casefile::End::right ? built.model.nodes.size() - 1 : 0;
+    if (!motion.support) node = node_at(scene, built, *motion.at, key + ".at_m");
+    if (!built.model.index(node, unknown)) {
+      casefile::refuse(scene.source, key + ".direction", fmt::format("this span has no {}", model::name_of(unknown)),
+                       "give another direction, or leave condense_axial and torsion = false out of [span]");
+    }
+    const double size = motion.type == casefile::MotionType::table ? 1 : motion.value();
+    built.model.motions.push_back(
+        {.node = node, .unknown = unknown, .amplitude = direction(axis) * size, .history = history_of(motion)});
+    built.motion_of.push_back(number);
+  }
+}
+
+void add_bodies(const casefile::Scene& scene, BuiltSpan& built) {
+  for (std::size_t number = 0; number < scene.bodies.size(); ++number) {
+    const casefile::Body& body = scene.bodies[number];
+    built.model.bodies.push_back({.node = node_at(scene, built, body.at, fmt::format("body[{}].at_m", number)),
+                                  .mass = body.mass,
+                                  .inertia = body.inertia,
+                                  .stiffness = body.stiffness,
+                                  .damping = body.damping,
+                                  .direction = vector(*body.direction)});
+  }
+}
+
+}  // namespace strandyn::build

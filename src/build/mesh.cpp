@@ -1,0 +1,116 @@
+#include "strandyn/model/mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "parts.hpp"
+
+namespace strandyn::build {
+namespace {
+
+/// Half a wave [m] at the highest frequency that the scene speaks of; a guess of the twelfth mode where it names none.
+double shortest_loop(const casefile::Scene& scene, double tension, double length) {
+  double shortest = length / 12;
+  const auto consider_mode = [&](int mode) { shortest = std::min(shortest, length / mode); };
+  const auto consider = [&](const auto& source) {
+    if (source.frequency) shortest = std::min(shortest, loop_length(scene, tension, *source.frequency));
+    if (source.frequency_mode) consider_mode(*source.frequency_mode);
+  };
+  for (const casefile::Load& load : scene.loads) consider(load);
+  for (const casefile::Motion& motion : scene.motions) consider(motion);
+  if (scene.initial) consider_mode(scene.initial->velocity_mode);
+  if (scene.analysis.type == casefile::AnalysisType::decay) consider_mode(scene.analysis.decay.mode);
+  if (scene.analysis.type == casefile::AnalysisType::modes) consider_mode(scene.analysis.modes.count);
+  return shortest;
+}
+
+/// [m] places that must be nodes.
+std::vector<double> stations(const casefile::Scene& scene) {
+  std::vector<double> at;
+  for (const casefile::Load& load : scene.loads) {
+    if (load.at) at.push_back(*load.at);
+  }
+  for (const casefile::Motion& motion : scene.motions) {
+    if (motion.at) at.push_back(*motion.at);
+  }
+  for (const casefile::Body& body : scene.bodies) at.push_back(body.at);
+  return at;
+}
+
+std::vector<double> straight_positions(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built) {
+  const casefile::Span& span = *scene.span;
+  const bool graded = span.grading == casefile::Grading::clamps && built.tension > 0;
+  model::MeshOptions options{.length = built.length,
+                             .elements = 0,
+                             .end_size = 0,
+                             .grade_left = graded && span.left == casefile::Support::clamped,
+                             .grade_right = graded && span.right == casefile::Support::clamped,
+                             .growth = 0.25,
+                             .stations = stations(scene)};
+  // Half of the length within which bending dies out at a clamp when all wires slip there.
+  if (graded) built.end_size = options.end_size = 0.5 * std::sqrt(numbers.EI_min / built.tension);
+  constexpr double elements_per_loop = 10;
+  options.elements =
+      span.elements
+          ? static_cast<std::size_t>(*span.elements)
+          : model::elements_for(options, shortest_loop(scene, built.tension, built.length) / elements_per_loop);
+  return model::span_mesh(options);
+}
+
+/// Elements for each leg in proportion to its length, at least one; what rounding leaves goes to the longest elements.
+std::vector<std::size_t> share_out(const std::vector<double>& legs, std::size_t elements) {
+  const double total = std::accumulate(legs.begin(), legs.end(), 0.0);
+  std::vector<std::size_t> share;
+  std::size_t used = 0;
+  for (double leg : legs) {
+    share.push_back(std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(elements) * leg / total)));
+    used += share.back();
+  }
+  for (; used < elements; ++used) {
+    std::size_t longest = 0;
+    for (std::size_t i = 1; i < legs.size(); ++i) {
+      if (legs[i] / static_cast<double>(share[i]) > legs[longest] / static_cast<double>(share[longest])) longest = i;
+    }
+    ++share[longest];
+  }
+  return share;
+}
+
+std::vector<double> polyline_positions(const casefile::Scene& scene) {
+  const casefile::Span& span = *scene.span;
+  std::vector<double> legs;
+  for (std::size_t i = 0; i + 1 < span.nodes.size(); ++i) {
+    const Eigen::Vector3d a = Eigen::Map<const Eigen::Vector3d>(span.nodes[i].data());
+    legs.push_back((Eigen::Map<const Eigen::Vector3d>(span.nodes[i + 1].data()) - a).norm());
+  }
+  if (span.elements && static_cast<std::size_t>(*span.elements) < legs.size()) {
+    casefile::refuse(scene.source, "span.elements", "there are fewer elements than legs of the bend",
+                     "give at least one element for every leg between two corners of nodes_m");
+  }
+  const std::size_t elements =
+      span.elements ? static_cast<std::size_t>(*span.elements) : std::max<std::size_t>(20, 4 * legs.size());
+  const std::vector<std::size_t> share = share_out(legs, elements);
+  std::vector<double> positions = {0};
+  const std::vector<double> wanted = stations(scene);
+  double start = 0;
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    model::MeshOptions options{.length = legs[leg], .elements = share[leg], .stations = {}};
+    for (double s : wanted) {
+      const double rounding = 1e-9 * legs[leg];  // a corner's distance is written with few digits
+      if (s > start + rounding && s < start + legs[leg] - rounding) options.stations.push_back(s - start);
+    }
+    const std::vector<double> nodes = model::span_mesh(options);
+    for (std::size_t i = 1; i < nodes.size(); ++i) positions.push_back(start + nodes[i]);
+    start = positions.back();
+  }
+  return positions;
+}
+
+}  // namespace
+
+std::vector<double> mesh_positions(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built) {
+  return scene.span->nodes.empty() ? straight_positions(scene, numbers, built) : polyline_positions(scene);
+}
+
+}  // namespace strandyn::build

@@ -1,0 +1,30 @@
+#pragma once
+/// \file The pieces of `build_span`: mesh, supports and what acts on the chain, the shape in which it hangs.
+
+#include "strandyn/build/span.hpp"
+
+namespace strandyn::build {
+
+inline constexpr double gravity = 9.80665;  ///< [m/s^2] standard acceleration
+
+/// Positions [m] of the nodes along the chord, or along the corners of nodes_m.
+std::vector<double> mesh_positions(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built);
+
+/// Supports, loads, motions and bodies of a chain that is laid out.
+void add_supports(const casefile::Scene& scene, BuiltSpan& built);
+void add_loads(const casefile::Scene& scene, BuiltSpan& built);
+void add_motions(const casefile::Scene& scene, BuiltSpan& built);
+void add_bodies(const casefile::Scene& scene, BuiltSpan& built);
+
+/// What sets the length of a straight span without load.
+struct Stringing {
+  double tension = 0;                  ///< [N] horizontal component where it hangs
+  double unstressed_length = 0;        ///< [m]
+  std::optional<double> catenary_sag;  ///< [m] where it hangs
+};
+Stringing find_stringing(const casefile::Scene& scene, double EA);
+
+/// `hanging` and `straight` of a chain under gravity.
+void add_hanging_shape(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built);
+
+}  // namespace strandyn::build

@@ -1,0 +1,201 @@
+#include "strandyn/solver/modes/modes.hpp"
+
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mode_kind.hpp"
+#include "strandyn/core/error.hpp"
+
+namespace strandyn::solver {
+
+using system::Matrix;
+using system::System;
+using system::Vector;
+
+namespace {
+
+/// y = (K - sigma M)^-1 x, as Spectra wants it, without what lies along modes that are known already.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+
+  ShiftedInverse(const Matrix& K, const Matrix& M) : K_(K), M_(M), size_(static_cast<Eigen::Index>(K.size())) {}
+  Eigen::Index rows() const { return size_; }
+  Eigen::Index cols() const { return size_; }
+  void set_shift(double sigma) {
+    Matrix shifted = K_;
+    shifted.add(-sigma, M_);
+    if (!factors_.factorize(shifted)) {
+      throw ComputationError("the stiffness matrix is singular: the span is free to move; hold it by its supports");
+    }
+  }
+  void perform_op(const double* x, double* y) const {
+    std::copy(x, x + size_, y);
+    factors_.solve(y);
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+      Eigen::Map<Vector> v(y, size_);
+      v -= known_[i] * momenta_[i].dot(v);
+    }
+  }
+  void leave_out(const std::vector<RawMode>& modes) {
+    for (const RawMode& mode : modes) {
+      known_.push_back(mode.shape);
+      momenta_.emplace_back(size_);
+      M_.multiply(mode.shape.data(), momenta_.back().data());
+    }
+  }
+
+ private:
+  const Matrix& K_;
+  const Matrix& M_;
+  Eigen::Index size_;
+  math::ChainFactors factors_;
+  std::vector<Vector> known_, momenta_;
+};
+
+/// y = M x.
+class MassProduct {
+ public:
+  using Scalar = double;
+
+  explicit MassProduct(const Matrix& M) : M_(M) {}
+  Eigen::Index rows() const { return static_cast<Eigen::Index>(M_.size()); }
+  Eigen::Index cols() const { return rows(); }
+  void perform_op(const double* x, double* y) const { M_.multiply(x, y); }
+
+ private:
+  const Matrix& M_;
+};
+
+/// Held unknowns take no part in the motion: no mass, unit stiffness.
+void take_out_held(const System& system, Matrix& K, Matrix& M) {
+  for (std::size_t i = 0; i < system.unknowns(); ++i) {
+    if (!system.is_held(i)) continue;
+    K.pin(i, 1);
+    M.pin(i, 0);
+  }
+}
+
+std::size_t unknowns_with_mass(const System& system) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < system.unknowns(); ++i) n += system.has_mass(i);
+  return n;
+}
+
+/// What one run of the solver looks for.
+struct Search {
+  Eigen::Index wanted;
+  Eigen::Index independent;  // unknowns with mass that are left
+  double shift;              // [1/s^2]
+};
+
+std::vector<RawMode> nearest(ShiftedInverse& inverse, MassProduct& mass, const Search& search) {
+  const Eigen::Index basis = std::min(search.independent, 2 * search.wanted + 20);
+  Spectra::SymGEigsShiftSolver<ShiftedInverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
+      inverse, mass, search.wanted, basis, search.shift);
+  // Unknowns without mass must begin in balance with the others: one pass through M and K^-1 brings them there.
+  Vector start = Vector::LinSpaced(inverse.rows(), 1.0, 2.0).array().sin();
+  Vector product(start.size());
+  mass.perform_op(start.data(), product.data());
+  inverse.perform_op(product.data(), start.data());
+  solver.init(start.data());
+  solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful) {
+    throw ComputationError(
+        fmt::format("the eigenvalue solver did not find {} modes; use more [span] elements", search.wanted));
+  }
+  std::vector<RawMode> modes;
+  for (Eigen::Index i = 0; i < search.wanted; ++i) {
+    modes.push_back({.eigenvalue = solver.eigenvalues()(i), .shape = solver.eigenvectors().col(i)});
+  }
+  return modes;
+}
+
+void keep_nearest(std::vector<RawMode>& modes, std::size_t count, double shift) {
+  std::stable_sort(modes.begin(), modes.end(), [&](const RawMode& a, const RawMode& b) {
+    return std::abs(a.eigenvalue - shift) < std::abs(b.eigenvalue - shift);
+  });
+  modes.resize(std::min(count, modes.size()));
+  std::stable_sort(modes.begin(), modes.end(),
+                   [](const RawMode& a, const RawMode& b) { return a.eigenvalue < b.eigenvalue; });
+}
+
+}  // namespace
+
+std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOptions& options) {
+  Matrix K = system.make_matrix();
+  Matrix M = system.make_matrix();
+  Vector force = system.make_vector();
+  system.internal_force(u.data(), force.data(), K);
+  system.subtract_external_tangent({.time = 0}, u.data(), K);
+  system.mass_matrix(u.data(), M);
+  K.make_symmetric();
+  take_out_held(system, K, M);
+
+  const std::size_t with_mass = unknowns_with_mass(system);
+  // The solver finds all modes but the highest.
+  if (options.count >= with_mass || with_mass < 2) {
+    throw ComputationError(
+        fmt::format("{} modes were asked for, but the mesh has only {} unknowns with mass; "
+                    "give more [span] elements",
+                    options.count, with_mass));
+  }
+  ShiftedInverse inverse(K, M);
+  MassProduct mass(M);
+  // A shift that meets an eigenvalue to many digits makes its mode drown all others.
+  constexpr double aside = 1e-4;
+  const double shift = std::pow(2 * std::numbers::pi * options.near * (1 + aside), 2);
+  const Search search{.wanted = static_cast<Eigen::Index>(options.count),
+                      .independent = static_cast<Eigen::Index>(with_mass),
+                      .shift = shift};
+  std::vector<RawMode> raw = nearest(inverse, mass, search);
+  if (model::is_spatial(system.model().freedom) && 2 * options.count < with_mass) {
+    // One Krylov space need not hold both of two modes of equal frequency: look once more beside what was found.
+    inverse.leave_out(raw);
+    Search again = search;
+    again.independent -= search.wanted;
+    for (RawMode& mode : nearest(inverse, mass, again)) raw.push_back(std::move(mode));
+    keep_nearest(raw, options.count + 1, shift);  // one more, lest a pair is cut in two
+    separate_planes(system.model(), M, raw);
+    keep_nearest(raw, options.count, shift);
+  }
+  std::vector<Mode> modes;
+  for (const RawMode& mode : raw) {
+    if (mode.eigenvalue < 0) {
+      throw ComputationError(
+          fmt::format("mode {} has a negative stiffness (omega^2 = {:.3g} 1/s^2): the state about "
+                      "which it vibrates is unstable; raise the tension",
+                      modes.size() + 1, mode.eigenvalue));
+    }
+    modes.push_back(describe(system.model(), M, mode));
+  }
+  return modes;
+}
+
+std::vector<Mode> transverse_modes(const System& system, const Vector& u, std::size_t count) {
+  // Others lie in between: ask for a few more until enough transverse ones are found.
+  const std::size_t with_mass = unknowns_with_mass(system);
+  if (with_mass < 2) throw ComputationError("the mesh has no free nodes that vibrate; give more [span] elements");
+  const std::size_t planes = model::is_spatial(system.model().freedom) ? 2 : 1;
+  for (std::size_t asked = planes * count + 4;; asked *= 2) {
+    asked = std::min(asked, with_mass - 1);
+    std::vector<Mode> modes = find_modes(system, u, {.count = asked});
+    std::erase_if(modes, [](const Mode& mode) { return mode.kind != ModeKind::in_plane; });
+    if (modes.size() >= count) {
+      modes.resize(count);
+      return modes;
+    }
+    if (asked + 1 >= with_mass) {
+      throw ComputationError(
+          fmt::format("the mesh carries only {} modes across the span, mode {} was asked for; "
+                      "give more [span] elements",
+                      modes.size(), count));
+    }
+  }
+}
+
+}  // namespace strandyn::solver

@@ -1,0 +1,100 @@
+#pragma once
+/// \file The one layer over SUNDIALS: owns every handle, catches exceptions at the C boundary, reads the counters.
+
+#include <ida/ida.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nonlinearsolver.h>
+
+#include <exception>
+#include <memory>
+#include <string>
+
+#include "chain_problem.hpp"
+#include "correction_test.hpp"
+#include "strandyn/solver/time/ida.hpp"
+
+namespace strandyn::solver {
+
+/// Deleters for SUNDIALS' handles.
+struct FreeContext {
+  void operator()(SUNContext c) const { SUNContext_Free(&c); }
+};
+struct FreeVector {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+};
+struct FreeMatrix {
+  void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
+};
+struct FreeLinearSolver {
+  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+};
+struct FreeNonlinearSolver {
+  void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
+};
+struct FreeIda {
+  void operator()(void* ida) const { IDAFree(&ida); }
+};
+
+template <class Handle, class Deleter>
+using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Deleter>;
+
+/// An IDA integrator over a ChainProblem, at order 2 with steps up to a bound.
+class IdaSession {
+ public:
+  IdaSession(system::System& system, const InitialMotion& initial, const IntegratorOptions& options);
+  IdaSession(const IdaSession&) = delete;
+  IdaSession& operator=(const IdaSession&) = delete;
+
+  /// Takes one step, not beyond `stop_time`. False where IDA gave up; `failure()` then says why.
+  bool step(double stop_time);
+  /// Forgets all older steps and begins anew from here.
+  void restart(const system::Vector& u, const system::Vector& v);
+  /// Between two steps. A session that reads must be new.
+  void archive(Archive& a);
+
+  double time() const { return time_; }
+  double last_step() const;
+  int last_order() const;
+  std::size_t rejected_steps() const;
+  std::size_t newton_iterations() const;
+  const double* u() const { return N_VGetArrayPointer(y_.get()); }
+  const double* v() const { return u() + problem_.unknowns(); }
+  const double* a() const { return N_VGetArrayPointer(yp_.get()) + problem_.unknowns(); }
+  std::string failure() const;
+
+ private:
+  // What SUNDIALS calls. `self` is this object.
+  static int residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self);
+  static int refresh(realtype t, realtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self, N_Vector,
+                     N_Vector, N_Vector);
+  static int weights(N_Vector y, N_Vector weight, void* self);
+  static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype);
+  static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, realtype, N_Vector, void* self);
+  void make_linear_solver();
+  void begin_anew();
+  void set_state(const system::Vector& u, const system::Vector& v);
+  template <class F>
+  int guarded(F&& work);
+
+  system::System& system_;
+  ChainProblem problem_;
+  IntegratorOptions options_;
+  Owned<SUNContext, FreeContext> context_;
+  Owned<N_Vector, FreeVector> y_, yp_, id_;
+  Owned<SUNMatrix, FreeMatrix> matrix_;
+  Owned<SUNLinearSolver, FreeLinearSolver> linear_;
+  Owned<SUNNonlinearSolver, FreeNonlinearSolver> nonlinear_;
+  std::unique_ptr<void, FreeIda> ida_;
+  double time_ = 0;
+  system::Vector start_;             // initial u: what error control measures motion from
+  std::array<double, 4> largest_{};  // motion so far: translation, rotation, and their rates
+  CorrectionTest test_;
+  std::size_t rejected_before_ = 0, iterations_before_ = 0;  // until the last restart
+  int patience_ = 2;                                         // corrections that old factors may serve
+  bool tangent_follows_ = false;  // on the next residual: the correction after it takes fresh factors
+  std::exception_ptr exception_;
+};
+
+}  // namespace strandyn::solver
