@@ -1,4 +1,4 @@
-#include "../../src/solver/chain_problem.hpp"
+#include "../../../src/solver/time/chain_problem.hpp"
 
 #include <doctest/doctest.h>
 
