@@ -10,8 +10,7 @@
 #include "strandyn/observe/cycles.hpp"
 #include "strandyn/section/return_map.hpp"
 #include "strandyn/solver/modes/modes.hpp"
-#include "strandyn/solver/time/generalized_alpha.hpp"
-#include "strandyn/solver/time/ida.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "timing.hpp"
 
 using namespace strandyn;
@@ -47,7 +46,7 @@ void print_laws() {
 void print_elements() {
   fmt::print("\nElement, stick law (section included): nanoseconds per element\n");
   const casefile::Scene scene = scene_with({"section.law=stick"});
-  const build::BuiltSpan built = build::build_span(scene);
+  const const build::BuiltSpan built = build::build_span(scene);
   system::System system(built.model);
   system::Vector u = system::Vector::Zero(static_cast<Eigen::Index>(system.unknowns()));
   system.begin(u);
@@ -61,7 +60,7 @@ void print_elements() {
 
 /// [Hz] of the mode at which the span is shaken; the same in space.
 double planar_frequency() {
-  const build::BuiltSpan built = build::build_span(scene_with({}));
+  const const build::BuiltSpan built = build::build_span(scene_with({}));
   system::System system(built.model);
   const system::Vector u = system.make_vector();
   system.begin(u);
@@ -72,22 +71,22 @@ void print_shares(const std::string& law, const std::string& dimension, const st
   constexpr int cycles = 20;
   const casefile::Scene scene = scene_with(
       {"section.law=" + law, "span.dimension=" + dimension, "integrator.method=" + method, "load[0].amplitude_N=150"});
-  build::BuiltSpan built = build::build_span(scene);
+  const build::BuiltSpan built = build::build_span(scene);
   system::System system(built.model);
   const system::Vector u = system.make_vector();
   system.begin(u);
-  build::set_load_frequency(built, 0, frequency);
   observe::CycleObserver observer({.period = 1 / frequency, .loop_length = built.length / 12});
   observe::Observer* const observers[] = {&observer};
   const solver::InitialMotion initial{.u = u, .v = system.make_vector()};
-  const solver::IntegratorOptions options{.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}};
+  const solver::IntegratorOptions options{.step = 1 / (200 * frequency), .end_time = cycles / frequency,
+                                          .stop = {},
+                                          .drives = {{.frequency = frequency}}};
   system.stopwatch().enabled = true;
   const auto start = std::chrono::steady_clock::now();
-  const solver::IntegratorSummary run =
-      scene.integrator.method == casefile::Method::ida
-          ? solver::integrate_ida(system, initial, options, observers)
-          : solver::integrate_generalized_alpha(system, initial, options, {.rho_inf = scene.integrator.rho_inf},
-                                                observers);
+  const solver::TimeMethod chosen = scene.integrator.method == casefile::Method::ida
+                                        ? solver::TimeMethod(solver::Ida{})
+                                        : solver::GeneralizedAlpha{.rho_inf = scene.integrator.rho_inf};
+  const solver::IntegratorSummary run = solver::integrate(system, initial, options, chosen, observers);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   const double steps = static_cast<double>(run.steps);
   fmt::print(

@@ -35,12 +35,18 @@ solver::IntegratorSummary integrate(Span& span, const system::Vector& velocity, 
                                     std::span<observe::Observer* const> observers) {
   const casefile::Integrator& chosen = span.scene.integrator;
   const solver::InitialMotion initial{.u = span.u, .v = velocity};
+  std::vector<model::Drive> drives;  // of frequencies that are given; those of modes rest
+  for (const build::DriveAsk& ask : span.built.drives) drives.push_back({.frequency = ask.frequency.value_or(0)});
   const solver::IntegratorOptions options{.step = step,
                                           .end_time = step * static_cast<double>(steps),
                                           .newton_tolerance = chosen.newton_tolerance,
-                                          .stop = {}};
-  if (chosen.method == casefile::Method::ida) return solver::integrate_ida(span.system, initial, options, observers);
-  return solver::integrate_generalized_alpha(span.system, initial, options, {.rho_inf = chosen.rho_inf}, observers);
+                                          .stop = {},
+                                          .drives = drives};
+  if (chosen.method == casefile::Method::ida) {
+    return solver::integrate(span.system, initial, options, solver::Ida{}, observers);
+  }
+  return solver::integrate(span.system, initial, options, solver::GeneralizedAlpha{.rho_inf = chosen.rho_inf},
+                           observers);
 }
 
 void BendingWork::begin(const system::System& system, const observe::StepRecord& initial) {

@@ -10,8 +10,7 @@
 
 #include "strandyn/build/span.hpp"
 #include "strandyn/casefile/read.hpp"
-#include "strandyn/solver/time/generalized_alpha.hpp"
-#include "strandyn/solver/time/ida.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 
 namespace strandyn::bench {
 

@@ -50,16 +50,22 @@ model::TimeFunction table(const std::vector<std::array<double, 2>>& history) {
   return table;
 }
 
-model::TimeFunction history_of(const casefile::Load& load) {
+/// A new drive of the span, at the frequency that the load or the motion asks for.
+template <class Source>
+model::TimeFunction driven_by(const Source& source, BuiltSpan& built) {
+  built.drives.push_back({.frequency = source.frequency, .mode = source.frequency_mode});
+  return model::Driven{.drive = built.drives.size() - 1};
+}
+
+model::TimeFunction history_of(const casefile::Load& load, BuiltSpan& built) {
   if (load.type == casefile::LoadType::static_force) return model::Constant{};
-  if (load.type == casefile::LoadType::harmonic_force) return model::Harmonic{.frequency = load.frequency.value_or(0)};
+  if (load.type == casefile::LoadType::harmonic_force) return driven_by(load, built);
   return table(load.history);
 }
 
-model::TimeFunction history_of(const casefile::Motion& motion) {
+model::TimeFunction history_of(const casefile::Motion& motion, BuiltSpan& built) {
   if (motion.type == casefile::MotionType::static_motion) return model::Constant{};
-  if (motion.type == casefile::MotionType::harmonic_motion)
-    return model::Harmonic{.frequency = motion.frequency.value_or(0)};
+  if (motion.type == casefile::MotionType::harmonic_motion) return driven_by(motion, built);
   return table(motion.history);
 }
 
@@ -104,13 +110,14 @@ void add_loads(const casefile::Scene& scene, BuiltSpan& built) {
     refuse_out_of_plane(scene, turns ? direction.head<2>().norm() : std::abs(direction.z()),
                         fmt::format("load[{}].direction", number), turns);
     const double size = load.type == casefile::LoadType::table ? 1 : load.value();
+    const model::TimeFunction history = history_of(load, built);
     const auto add = [&](std::size_t node, double share) {
       const Eigen::Vector3d value = share * size * direction;
       const Eigen::Vector3d none = Eigen::Vector3d::Zero();
       built.model.loads.push_back({.node = node,
                                    .force = turns ? none : value,
                                    .moment = turns ? value : none,
-                                   .history = history_of(load),
+                                   .history = history,
                                    .dead = false});
       built.load_of.push_back(number);
     };
@@ -142,7 +149,7 @@ void add_motions(const casefile::Scene& scene, BuiltSpan& built) {
     }
     const double size = motion.type == casefile::MotionType::table ? 1 : motion.value();
     built.model.motions.push_back(
-        {.node = node, .unknown = unknown, .amplitude = direction(axis) * size, .history = history_of(motion)});
+        {.node = node, .unknown = unknown, .amplitude = direction(axis) * size, .history = history_of(motion, built)});
     built.motion_of.push_back(number);
   }
 }

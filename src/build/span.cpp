@@ -159,16 +159,4 @@ void check_buildable(const casefile::Scene& scene) {
   }
 }
 
-void set_load_frequency(BuiltSpan& span, std::size_t number, double frequency) {
-  for (std::size_t i = 0; i < span.model.loads.size(); ++i) {
-    if (span.load_of[i] == number) span.model.loads[i].history = model::Harmonic{.frequency = frequency};
-  }
-}
-
-void set_motion_frequency(BuiltSpan& span, std::size_t number, double frequency) {
-  for (std::size_t i = 0; i < span.model.motions.size(); ++i) {
-    if (span.motion_of[i] == number) span.model.motions[i].history = model::Harmonic{.frequency = frequency};
-  }
-}
-
 }  // namespace strandyn::build

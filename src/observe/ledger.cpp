@@ -17,23 +17,11 @@ Account interpolate(const Account& from, const Account& to, double part) {
           .initial_kinetic = to.initial_kinetic};
 }
 
-/// Forces on the chain; at supports that move, what the support has to do.
-void Ledger::evaluate(const system::System& system, const StepRecord& record, system::Vector& external,
-                      system::Vector& internal) {
-  system.external_force({.time = record.time}, record.u.data(), external.data());
-  system.internal_force(record.u.data(), internal.data());
-  if (!system.has_moving_supports()) return;
-  system::Vector resistance = internal;
-  system.add_inertia_and_drag({.u = record.u.data(), .v = record.v.data(), .a = record.a.data()}, resistance.data());
-  for (std::size_t i = 0; i < system.unknowns(); ++i) {
-    if (system.is_held(i)) external(static_cast<Eigen::Index>(i)) = resistance(static_cast<Eigen::Index>(i));
-  }
-}
-
 void Ledger::begin(const system::System& system, const StepRecord& initial) {
   u_ = initial.u;
-  external_ = internal_ = next_external_ = next_internal_ = system::Vector::Zero(u_.size());
-  evaluate(system, initial, external_, internal_);
+  external_ = initial.external;
+  internal_ = initial.internal;
+  if (external_.size() != u_.size()) throw ComputationError("a ledger needs the forces of every step");
   power_ = system.viscous_power(initial.v.data());
   initial_elastic_ = initial.accepted.elastic;
   now_ = {};
@@ -41,11 +29,10 @@ void Ledger::begin(const system::System& system, const StepRecord& initial) {
 }
 
 void Ledger::step(const system::System& system, const StepRecord& record) {
-  evaluate(system, record, next_external_, next_internal_);
   const system::ViscousLoss power = system.viscous_power(record.v.data());
 
-  now_.external_work += 0.5 * (external_ + next_external_).dot(record.u - u_);
-  now_.internal_work += 0.5 * (internal_ + next_internal_).dot(record.u - u_);
+  now_.external_work += 0.5 * (external_ + record.external).dot(record.u - u_);
+  now_.internal_work += 0.5 * (internal_ + record.internal).dot(record.u - u_);
   now_.kinetic = system.kinetic_energy(record.u.data(), record.v.data());
   now_.elastic = record.accepted.elastic - initial_elastic_;
   now_.friction += record.accepted.friction;
@@ -57,8 +44,8 @@ void Ledger::step(const system::System& system, const StepRecord& record) {
   now_.viscous.modal += half * (power_.modal + power.modal);
 
   u_ = record.u;
-  external_.swap(next_external_);
-  internal_.swap(next_internal_);
+  external_ = record.external;
+  internal_ = record.internal;
   power_ = power;
 }
 

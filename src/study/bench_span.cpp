@@ -20,17 +20,25 @@ namespace {
 /// Of the first loop. In its middle the force is smallest, and strong damping lets it be tuned.
 constexpr double shaker_place = 0.5;
 
+/// Whose size the drives of an integration give.
+Scene with_unit_shaker(Scene scene) {
+  const Shaker shaker = shaker_of(scene);
+  if (shaker.load) scene.loads[*shaker.load].amplitude = 1;
+  if (shaker.motion) scene.motions[*shaker.motion].amplitude = 1;
+  return scene;
+}
+
 }  // namespace
 
 BenchSpan::BenchSpan(const Scene& scene, const Point& point)
     : mode_number_(span_of_point(scene, point).mode),
-      scene_(scene_of_point(scene, point, shaker_place)),
+      scene_(with_unit_shaker(scene_of_point(scene, point, shaker_place))),
       span_(scene_) {
   span_.apply_static_loads();
   set_proportional_damping(scene_, span_);
   find_mode();
 
-  model::Model& model = span_.built.model;
+  const model::Model& model = span_.built.model;
   const Shaker shaker = shaker_of(scene_);
   moves_ = shaker.motion.has_value();
   const std::vector<std::size_t>& from = moves_ ? span_.built.motion_of : span_.built.load_of;
@@ -119,17 +127,6 @@ void BenchSpan::find_response() {
   if (moves_) {
     response_(static_cast<Eigen::Index>(*span_.built.model.index(node_, span_.built.model.motions[entry_].unknown))) =
         sign_;
-  }
-}
-
-void BenchSpan::set_drive(const Drive& drive) {
-  const model::Harmonic history{.frequency = drive.frequency, .phase = drive.phase};
-  if (moves_) {
-    span_.built.model.motions[entry_].amplitude = sign_ * drive.amplitude;
-    span_.built.model.motions[entry_].history = history;
-  } else {
-    span_.built.model.loads[entry_].force = drive.amplitude * direction_;
-    span_.built.model.loads[entry_].history = history;
   }
 }
 

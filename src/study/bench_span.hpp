@@ -37,8 +37,10 @@ class BenchSpan {
   double shaker_position() const { return shaker_position_; }  ///< [m] from the left support
   /// Force on the modal coordinate per drive: [-] share of the shape at a force, [N/m] of a motion.
   double coupling() const { return coupling_; }
-  void set_drive(const Drive& drive);
-  void let_go() { set_drive({.frequency = frequency_}); }
+  /// Of an integration under `drive`: the span's own shaker has an amplitude of 1.
+  std::vector<model::Drive> drives(const Drive& drive) const {
+    return {{.frequency = drive.frequency, .amplitude = drive.amplitude, .phase = drive.phase}};
+  }
 
   /// [m] the mode's share in a state, sieved by the masses: no other mode of the span at rest shows in it.
   double modal_coordinate(const system::Vector& u) const { return sensor_.dot(u - span_.u); }

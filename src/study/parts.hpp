@@ -43,6 +43,7 @@ struct VibrationPlan {
   bool until_steady = false;  ///< then `cycles` is the most that will be run
   double step = 0;            ///< [s] its bound, where the integrator chooses steps by their error
   system::Vector velocity;    ///< initial
+  std::vector<model::Drive> drives;
   /// [-] what the integrator will take from a mode of this frequency; empty where it chooses its steps itself.
   std::optional<double> numerical_damping_ratio;
   /// Where the program has chosen the step (`auto`): the physical damping it expects, and the share it aims at.
@@ -63,7 +64,7 @@ nlohmann::ordered_json plan_json(const VibrationPlan& plan);
 /// Keeps the plan in the summary and tells it in words, before the run.
 void announce(const casefile::Scene& scene, const VibrationPlan& plan, const Hooks& hooks, CaseResult& result);
 
-/// Finds the modes that the scene speaks of, gives the loads their frequencies, and decides the step.
+/// Finds the modes that the scene speaks of, finds the frequencies of the drives, and decides the step.
 VibrationPlan plan_vibration(const casefile::Scene& scene, SpanAtRest& span);
 
 /// `section` of summary.json, also of what `describe` tells.

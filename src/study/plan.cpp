@@ -29,26 +29,14 @@ int highest_mode(const Scene& scene) {
   return highest;
 }
 
-/// Sets the frequencies of loads and motions and returns the highest of them [Hz].
-double set_frequencies(const Scene& scene, SpanAtRest& span, const std::vector<solver::Mode>& modes) {
-  double highest = 0;
-  const auto frequency_of = [&](const auto& source) {
-    const double frequency = source.frequency_mode
-                                 ? modes[static_cast<std::size_t>(*source.frequency_mode) - 1].frequency
-                                 : *source.frequency;
-    highest = std::max(highest, frequency);
-    return frequency;
-  };
-  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
-    const casefile::Load& load = scene.loads[i];
-    if (load.type != casefile::LoadType::harmonic_force) continue;
-    build::set_load_frequency(span.built, i, frequency_of(load));
+/// What the span asks of its drives, with the frequencies of the modes.
+std::vector<model::Drive> find_drives(const SpanAtRest& span, const std::vector<solver::Mode>& modes) {
+  std::vector<model::Drive> drives;
+  for (const build::DriveAsk& ask : span.built.drives) {
+    drives.push_back({.frequency = ask.mode ? modes[static_cast<std::size_t>(*ask.mode) - 1].frequency
+                                            : ask.frequency.value_or(0)});
   }
-  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
-    if (scene.motions[i].type != casefile::MotionType::harmonic_motion) continue;
-    build::set_motion_frequency(span.built, i, frequency_of(scene.motions[i]));
-  }
-  return highest;
+  return drives;
 }
 
 /// The lowest physical damping that the run will see: that of its smallest amplitude.
@@ -62,7 +50,7 @@ double expected_damping(const Scene& scene, SpanAtRest& span, const system::Vect
     return late > 0 ? late : trial.damping_ratio(amplitude);
   }
   for (const model::Load& load : span.built.model.loads) {
-    if (!std::holds_alternative<model::Harmonic>(load.history)) continue;
+    if (!std::holds_alternative<model::Driven>(load.history)) continue;
     const double drive = load.force.dot(span.built.model.displacement(shape.data(), load.node)) / load.force.norm();
     amplitude = std::max(amplitude, trial.steady_amplitude(load.force.norm(), drive));
   }
@@ -76,9 +64,8 @@ void choose_step(const Scene& scene, SpanAtRest& span, const system::Vector& sha
     // Half of one percent, or of the bound: the estimate is one of a trial cycle.
     plan.aimed_share = std::min(0.01, integrator.max_numerical_share.value_or(casefile::default_numerical_share)) / 2;
     plan.expected_damping_ratio = expected_damping(scene, span, shape, plan);
-    const int steps = choose_steps_per_cycle(
-        integrator,
-        {.frequency = plan.frequency, .damping_ratio = *plan.expected_damping_ratio, .share = plan.aimed_share});
+    const int steps = solver::steps_for(
+        method_of(integrator), {.damping_ratio = *plan.expected_damping_ratio, .share = plan.aimed_share});
     plan.step = 1 / (plan.frequency * steps);
   } else if (integrator.step == StepRule::adaptive) {
     constexpr double least_per_cycle = 20;
@@ -87,7 +74,8 @@ void choose_step(const Scene& scene, SpanAtRest& span, const system::Vector& sha
     plan.step = integrator.step_size.value_or(1 / (plan.frequency * integrator.steps_per_cycle.value_or(200)));
   }
   if (integrator.step != StepRule::adaptive && plan.frequency > 0) {
-    plan.numerical_damping_ratio = numerical_damping_ratio(integrator, plan.frequency, plan.step);
+    plan.numerical_damping_ratio =
+        solver::damping_ratio(method_of(integrator), angle_per_step(plan.frequency, plan.step));
   }
 }
 
@@ -99,7 +87,8 @@ solver::IntegratorOptions options_of(const Scene& scene, const VibrationPlan& pl
           .end_time = end_time,
           .newton_tolerance = scene.integrator.newton_tolerance,
           .relative_error = adaptive ? scene.integrator.rtol : 0,
-          .stop = {}};
+          .stop = {},
+          .drives = plan.drives};
 }
 
 VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
@@ -117,7 +106,8 @@ VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
 
   VibrationPlan plan;
   plan.velocity = system::Vector::Zero(span.u.size());
-  plan.frequency = set_frequencies(scene, span, modes);
+  plan.drives = find_drives(span, modes);
+  for (const model::Drive& drive : plan.drives) plan.frequency = std::max(plan.frequency, drive.frequency);
   if (scene.initial) {
     const solver::Mode& m = mode(scene.initial->velocity_mode);
     plan.velocity = scene.initial->antinode_velocity * unit_antinode(m);

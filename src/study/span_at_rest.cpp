@@ -53,10 +53,7 @@ void add_rest(const SpanAtRest& span, CaseResult& result) {
   if (span.built.hanging.size() == 0) return;
   const model::Model& model = span.built.model;
   system::Vector force = span.system.make_vector();
-  system::Vector load = force;
-  span.system.internal_force(span.u.data(), force.data());
-  span.system.external_force({.time = 0, .part = 0}, span.u.data(), load.data());
-  force -= load;
+  span.system.residual({.u = span.u.data()}, {.time = 0, .part = 0}, force.data());
   json& rest = result.summary["rest"] = json{{"unstressed_length_m", model.unstressed_length()}};
   if (span.built.catenary_sag) {
     rest["sag_m"] = sag(model, span.u);
@@ -80,10 +77,7 @@ void add_shape(const SpanAtRest& span, double load_factor, CaseResult& result) {
   result.summary["right_end_m"] = vector_json(model.nodes[last] + model.displacement(span.u.data(), last));
 
   system::Vector force = span.system.make_vector();
-  system::Vector load = force;
-  span.system.internal_force(span.u.data(), force.data());
-  span.system.external_force({.time = 0, .part = load_factor}, span.u.data(), load.data());
-  force -= load;
+  span.system.reactions({.u = span.u.data()}, {.time = 0, .part = load_factor}, force.data());
   result.summary["reactions"] = {{"left", reaction(span.system, force, 0)},
                                  {"right", reaction(span.system, force, last)}};
 }

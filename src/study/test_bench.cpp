@@ -81,9 +81,8 @@ class Bench {
     const casefile::Integrator& integrator = bench_.scene().integrator;
     double steps = integrator.steps_per_cycle.value_or(200);
     if (integrator.step == StepRule::automatic) {
-      steps = choose_steps_per_cycle(
-          integrator,
-          {.frequency = bench_.frequency(), .damping_ratio = trial_.damping_ratio(wanted_), .share = 0.005});
+      steps = solver::steps_for(method_of(integrator),
+                                {.damping_ratio = trial_.damping_ratio(wanted_), .share = 0.005});
     } else if (integrator.step_size) {
       steps = 1 / (bench_.frequency() * *integrator.step_size);
     }
@@ -92,16 +91,16 @@ class Bench {
 
   Stretch vibrate(const Drive& drive, double cycles, observe::CycleObserver& account,
                   std::span<observe::Observer* const> instruments = {}) {
-    bench_.set_drive(drive);
     CyclePhasors phasors(bench_, drive);
     std::vector<observe::Observer*> observers = {&account, &phasors};
     observers.insert(observers.end(), instruments.begin(), instruments.end());
     solver::IntegratorOptions options{.step = 1 / (drive.frequency * run_.cost.steps_per_cycle),
                                       .end_time = cycles / drive.frequency,
                                       .newton_tolerance = bench_.scene().integrator.newton_tolerance,
-                                      .stop = hooks_.stop};
+                                      .stop = hooks_.stop,
+                                      .drives = bench_.drives(drive)};
     const solver::IntegratorSummary summary =
-        integrate(bench_.scene().integrator, bench_.span().system, now_, options, observers);
+        solver::integrate(bench_.span().system, now_, options, method_of(bench_.scene().integrator), observers);
     run_.cost.steps += summary.steps;
     if (summary.ending == solver::Ending::failed) throw ComputationError(summary.failure);
     now_ = phasors.end();
@@ -151,7 +150,6 @@ class Bench {
       now_ = {.u = bench_.span().u, .v = bench_.span().system.make_vector()};
       drive.phase = 0;
     }
-    bench_.set_drive(drive);
     bench_.span().system.begin(now_.u);
     Stretch stretch = vibrate(drive, cycles);
     if (!stretch.stopped) read(drive, stretch);

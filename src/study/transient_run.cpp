@@ -7,7 +7,6 @@
 #include "parts.hpp"
 #include "strandyn/observe/histories.hpp"
 #include "strandyn/observe/ledger.hpp"
-#include "strandyn/solver/time/ida.hpp"
 
 namespace strandyn::study {
 
@@ -55,6 +54,7 @@ class EnergyHistory final : public observe::Observer {
     ledger_.step(system, record);
     append(record.time);
   }
+  bool wants_forces() const override { return true; }
   /// `energy` of summary.json.
   json at_end() const {
     const observe::Account& a = ledger_.now();
@@ -156,7 +156,7 @@ void run_transient(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   solver::IntegratorOptions options = options_of(scene, plan, duration);
   options.stop = hooks.stop;
   const solver::IntegratorSummary run =
-      integrate(scene.integrator, span.system, {.u = span.u, .v = plan.velocity}, options, observers);
+      solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, method_of(scene.integrator), observers);
 
   add_integration(run, span.system, result);
   result.summary["end_time_s"] = run.end_time;

@@ -187,7 +187,7 @@ void run_vibration(const Scene& scene, const Hooks& hooks, CaseResult& result) {
   options.stop = stop;
   options.checkpoints = checkpoint.checkpoints([&] { return interrupted; });
   const solver::IntegratorSummary run =
-      integrate(scene.integrator, span.system, {.u = span.u, .v = plan.velocity}, options, observers);
+      solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, method_of(scene.integrator), observers);
 
   add_integration(run, span.system, result);
   add_cycles(cycles.cycles(), result);

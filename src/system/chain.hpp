@@ -21,8 +21,8 @@ class Chain {
   virtual void add_stiffness(const section::Field& stresses, const section::TangentField& tangents,
                              Matrix& K) const = 0;
 
-  virtual void add_inertia_force(const Motion& m, double* f) const = 0;
-  virtual void add_inertia_tangent(const Motion& m, InertiaFactors factors, Matrix& K) const = 0;
+  virtual void add_inertia_force(const State& m, double* f) const = 0;
+  virtual void add_inertia_tangent(const State& m, InertiaFactors factors, Matrix& K) const = 0;
   virtual void add_mass(const double* u, Matrix& M) const = 0;
   virtual double kinetic_energy(const double* u, const double* v) const = 0;
   /// Does the unknown of place `i` carry inertia?

@@ -22,7 +22,7 @@ Eigen::Map<PlanarVector> of_element(double* all, std::size_t e) {
   return Eigen::Map<PlanarVector>(all + e * B);
 }
 
-beam::PlanarMotion motion_of_element(const Motion& m, std::size_t e) {
+beam::PlanarMotion motion_of_element(const State& m, std::size_t e) {
   return {.q = of_element(m.u, e), .v = of_element(m.v, e), .a = of_element(m.a, e)};
 }
 
@@ -81,7 +81,7 @@ class PlanarChain final : public Chain {
     }
   }
 
-  void add_inertia_force(const Motion& m, double* f) const override {
+  void add_inertia_force(const State& m, double* f) const override {
     for (Eigen::Index i = 0; i < lumped_.size(); ++i) f[i] += lumped_(i) * m.a[i];
     if (!consistent_) return;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
@@ -89,7 +89,7 @@ class PlanarChain final : public Chain {
     }
   }
 
-  void add_inertia_tangent(const Motion& m, InertiaFactors factors, Matrix& K) const override {
+  void add_inertia_tangent(const State& m, InertiaFactors factors, Matrix& K) const override {
     auto& blocks = K.as<B>();
     add_diagonal(factors.acceleration, K);
     if (!consistent_) return;

@@ -80,7 +80,7 @@ class SpatialChain final : public Chain {
     }
   }
 
-  void add_inertia_force(const Motion& m, double* f) const override {
+  void add_inertia_force(const State& m, double* f) const override {
     for (std::size_t node = 0; node < at_nodes_.size(); ++node) {
       const beam::RigidInertia& body = at_nodes_[node];
       for (std::size_t i = 0; i < 3; ++i) f[node * B + i] += body.mass * m.a[node * B + i];
@@ -93,7 +93,7 @@ class SpatialChain final : public Chain {
     }
   }
 
-  void add_inertia_tangent(const Motion& m, InertiaFactors factors, Matrix& K) const override {
+  void add_inertia_tangent(const State& m, InertiaFactors factors, Matrix& K) const override {
     auto& blocks = K.as<B>();
     for (std::size_t node = 0; node < at_nodes_.size(); ++node) {
       blocks.diagonal(node).diagonal().template head<3>().array() += factors.acceleration * at_nodes_[node].mass;
@@ -184,7 +184,7 @@ class SpatialChain final : public Chain {
     const double* last = all + node * B + B;
     return {twists ? last[-3] : 0.0, last[-2], last[-1]};
   }
-  static beam::RotationMotion rotation_motion(const Motion& m, std::size_t node) {
+  static beam::RotationMotion rotation_motion(const State& m, std::size_t node) {
     return {.psi = rotation(m.u, node), .rate = rotation(m.v, node), .acceleration = rotation(m.a, node)};
   }
   static SpatialVector gather(const double* all, std::size_t e) {
@@ -199,7 +199,7 @@ class SpatialChain final : public Chain {
       return q;
     }
   }
-  static beam::SpatialMotion motion_of_element(const Motion& m, std::size_t e) {
+  static beam::SpatialMotion motion_of_element(const State& m, std::size_t e) {
     return {.q = gather(m.u, e), .v = gather(m.v, e), .a = gather(m.a, e)};
   }
   static void add_rotation(const Eigen::Vector3d& moment, std::size_t node, double* f) {

@@ -30,7 +30,8 @@ System::System(const model::Model& model)
       strains_(committed_),
       stresses_(committed_),
       tangents_(chain_->dimension(), model.elements.size() * gauss_points),
-      damping_force_(drag_) {
+      damping_force_(drag_),
+      load_(drag_) {
   const auto unknowns_of_node = model::unknowns_of(model.freedom);
   for (const model::Support& support : model.supports) {
     for (std::size_t i = 0; i < unknowns_of_node.size(); ++i) {
@@ -58,21 +59,21 @@ System::System(const model::Model& model)
 
 System::~System() = default;
 
-void System::held_values(LoadState at, double* u) const {
+void System::held_values(At at, double* u) const {
   for (std::size_t i = 0; i < unknowns(); ++i) {
     if (held_[i]) u[i] = 0;
   }
   for (std::size_t m = 0; m < moved_.size(); ++m) {
-    u[moved_[m]] += at.part * model_.motions[m].amplitude * model::evaluate(model_.motions[m].history, at.time);
+    u[moved_[m]] += at.part * model_.motions[m].amplitude * model::evaluate(model_.motions[m].history, at.time, at.drives);
   }
 }
 
-void System::held_rates(double t, double* v) const {
+void System::held_rates(At at, double* v) const {
   for (std::size_t i = 0; i < unknowns(); ++i) {
     if (held_[i]) v[i] = 0;
   }
   for (std::size_t m = 0; m < moved_.size(); ++m) {
-    v[moved_[m]] += model_.motions[m].amplitude * model::rate(model_.motions[m].history, t);
+    v[moved_[m]] += model_.motions[m].amplitude * model::rate(model_.motions[m].history, at.time, at.drives);
   }
 }
 
@@ -115,6 +116,39 @@ void System::internal_force(const double* u, double* f, Matrix& K) const {
   chain_->add_stiffness(stresses_, tangents_, K);
   add_springs(u, f);
   for (const model::Body& body : model_.bodies) add_along(body, body.stiffness, K);
+}
+
+void System::residual(const State& state, At at, double* r) const {
+  internal_force(state.u, r);
+  if (!state.is_at_rest()) add_inertia_and_drag(state, r);
+  external_force(at, state.u, load_.data());
+  for (std::size_t i = 0; i < unknowns(); ++i) r[i] -= load_(static_cast<Eigen::Index>(i));
+}
+
+void System::residual(const State& state, At at, double* r, Matrix& K) const {
+  internal_force(state.u, r, K);
+  subtract_external_tangent(at, state.u, K);
+  if (!state.is_at_rest()) add_inertia_and_drag(state, r);
+  external_force(at, state.u, load_.data());
+  for (std::size_t i = 0; i < unknowns(); ++i) r[i] -= load_(static_cast<Eigen::Index>(i));
+}
+
+void System::reactions(const State& state, At at, double* f) const {
+  residual(state, at, f);
+  for (std::size_t i = 0; i < unknowns(); ++i) {
+    if (!held_[i]) f[i] = 0;
+  }
+}
+
+void System::forces(const State& state, At at, Vector& external, Vector& internal) const {
+  external_force(at, state.u, external.data());
+  internal_force(state.u, internal.data());
+  if (!has_moving_supports()) return;
+  load_ = internal;
+  if (!state.is_at_rest()) add_inertia_and_drag(state, load_.data());
+  for (std::size_t i = 0; i < unknowns(); ++i) {
+    if (held_[i]) external(static_cast<Eigen::Index>(i)) = load_(static_cast<Eigen::Index>(i));
+  }
 }
 
 void System::strains(const double* u, section::Field& strains) const {
@@ -166,24 +200,24 @@ void System::add_along(const model::Body& body, double factor, Matrix& K) const 
   }
 }
 
-void System::external_force(LoadState at, const double* u, double* f) const {
+void System::external_force(At at, const double* u, double* f) const {
   std::fill(f, f + unknowns(), 0.0);
   for (const model::Load& load : model_.loads) {
-    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time);
+    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time, at.drives);
     add_at_node(load.node, factor * load.force, f);
     if (!load.moment.isZero(0)) chain_->add_moment(load.node, factor * load.moment, u, f);
   }
 }
 
-void System::subtract_external_tangent(LoadState at, const double* u, Matrix& K) const {
+void System::subtract_external_tangent(At at, const double* u, Matrix& K) const {
   for (const model::Load& load : model_.loads) {
     if (load.moment.isZero(0)) continue;
-    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time);
+    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time, at.drives);
     chain_->subtract_moment_tangent(load.node, factor * load.moment, u, K);
   }
 }
 
-void System::add_inertia_and_drag(const Motion& m, double* f) const {
+void System::add_inertia_and_drag(const State& m, double* f) const {
   const Stopwatch::Lap lap(stopwatch_, Part::inertia);
   chain_->add_inertia_force(m, f);
   if (model_.drag > 0) {
@@ -203,7 +237,7 @@ void System::add_inertia_and_drag(const Motion& m, double* f) const {
   }
 }
 
-void System::add_inertia_and_drag(const Motion& m, InertiaFactors factors, Matrix& K) const {
+void System::add_inertia_and_drag(const State& m, InertiaFactors factors, Matrix& K) const {
   const Stopwatch::Lap lap(stopwatch_, Part::inertia);
   chain_->add_inertia_tangent(m, factors, K);
   if (model_.drag > 0 && factors.velocity != 0) {

@@ -114,7 +114,7 @@ class TransverseChain final : public Chain {
     update.row /= unstressed_;
   }
 
-  void add_inertia_force(const Motion& m, double* f) const override {
+  void add_inertia_force(const State& m, double* f) const override {
     for (Eigen::Index i = 0; i < lumped_.size(); ++i) f[i] += lumped_(i) * m.a[i];
     if (!consistent_) return;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
@@ -122,7 +122,7 @@ class TransverseChain final : public Chain {
     }
   }
 
-  void add_inertia_tangent(const Motion&, InertiaFactors factors, Matrix& K) const override {
+  void add_inertia_tangent(const State&, InertiaFactors factors, Matrix& K) const override {
     add_mass_times(factors.acceleration, K);
   }
 

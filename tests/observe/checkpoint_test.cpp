@@ -8,7 +8,7 @@
 #include "solver/vibration.hpp"
 #include "strandyn/core/error.hpp"
 #include "strandyn/observe/cycles.hpp"
-#include "strandyn/solver/time/generalized_alpha.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 
 using namespace strandyn;
 using model::Freedom;
@@ -25,12 +25,12 @@ using Integrator = std::function<IntegratorSummary(Vibration&, double amplitude,
                                                    std::span<observe::Observer* const>)>;
 
 const Integrator ida = [](Vibration& vibration, double amplitude, const IntegratorOptions& options, auto observers) {
-  return solver::integrate_ida(vibration.system, vibration.start(amplitude), options, observers);
+  return solver::integrate(vibration.system, vibration.start(amplitude), options, solver::Ida{}, observers);
 };
 const Integrator generalized_alpha = [](Vibration& vibration, double amplitude, const IntegratorOptions& options,
                                         auto observers) {
-  return solver::integrate_generalized_alpha(vibration.system, vibration.start(amplitude), options, {.rho_inf = 0.8},
-                                             observers);
+  return solver::integrate(vibration.system, vibration.start(amplitude), options,
+                           solver::GeneralizedAlpha{.rho_inf = 0.8}, observers);
 };
 
 struct Step {

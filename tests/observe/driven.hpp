@@ -57,10 +57,13 @@ class Driven {
     v_ = swing.rate * shape_;
     a_ = swing.acceleration * shape_;
     const double step = time - std::exchange(time_, time);
-    return {.time = time, .step = step, .order = 2, .u = u_, .v = v_, .a = a_, .accepted = system.commit(u_.data())};
+    const system::Accepted accepted = system.commit(u_.data());
+    external_ = internal_ = system.make_vector();
+    system.forces({.u = u_.data(), .v = v_.data(), .a = a_.data()}, {.time = time}, external_, internal_);
+    return {.time = time, .step = step, .order = 2, .u = u_, .v = v_, .a = a_, .external = external_, .internal = internal_, .accepted = accepted};
   }
 
-  system::Vector shape_, u_, v_, a_;
+  system::Vector shape_, u_, v_, a_, external_, internal_;
   std::function<Swing(double)> swing_;
   double time_ = 0;
 };

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "strandyn/observe/ledger.hpp"
-#include "strandyn/solver/time/ida.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "support/check_close.hpp"
 #include "system/freedoms.hpp"
 
@@ -56,6 +56,7 @@ class Watch final : public observe::Observer {
  public:
   Watch(Eigen::Index unknown, double from) : unknown_(unknown), from_(from) {}
   void begin(const System& system, const observe::StepRecord& initial) override { ledger_.begin(system, initial); }
+  bool wants_forces() const override { return true; }
   void step(const System& system, const observe::StepRecord& record) override {
     ledger_.step(system, record);
     if (record.time < from_ + 1e-9) {
@@ -91,8 +92,8 @@ TEST_CASE("moving support: a string driven at its end swings as the exact one an
     Watch watch(place(model, 12, Unknown::y), (cycles - 1) / frequency);
     observe::Observer* const observers[] = {&watch};
     const auto summary =
-        solver::integrate_ida(system, {.u = zeros(model), .v = zeros(model)},
-                              {.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}}, observers);
+        solver::integrate(system, {.u = zeros(model), .v = zeros(model)},
+                              {.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}}, solver::Ida{}, observers);
     REQUIRE(summary.ending == solver::Ending::finished);
     CHECK(summary.order_one_steps == 0);
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "strandyn/solver/modes/modes.hpp"
-#include "strandyn/solver/time/ida.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "system/spans.hpp"
 
 namespace strandyn::test {

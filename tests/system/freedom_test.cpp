@@ -223,7 +223,7 @@ TEST_CASE("every chain: supports hold what they say and prescribed motions are w
     check_close(u(moved), 0.5 * (0.02 * 0.5 + 0.5), {.relative = 1e-14});
     check_close(u(turned), -0.05, {.relative = 1e-14});
     Vector v = zeros(model);
-    system.held_rates(0.3, v.data());
+    system.held_rates({.time = 0.3}, v.data());
     const Vector rates = derivative(
         [&](double s) {
           Vector at = zeros(model);

@@ -26,7 +26,13 @@ SectionNumbers section_numbers(const casefile::Scene& scene);
 std::shared_ptr<const section::Law> build_law(const casefile::Scene& scene, section::Dimension dimension,
                                               const conductor::Strand* strand = nullptr);
 
-/// A span and what was decided on the way.
+/// The frequency at which a harmonic [[load]] or [[motion]] is to shake: given in Hz, or that of a mode.
+struct DriveAsk {
+  std::optional<double> frequency;  ///< [Hz] this, or
+  std::optional<int> mode;          ///< its number, from 1
+};
+
+/// A span and what was decided on the way. Constant once it is built.
 struct BuiltSpan {
   model::Model model;
   double tension = 0;                  ///< [N] of a straight span, the horizontal component of a hanging one
@@ -34,22 +40,18 @@ struct BuiltSpan {
   double end_size = 0;                 ///< [m] wanted size of the elements at graded ends; 0: uniform
   std::vector<std::size_t> load_of;    ///< for each entry of model.loads, the [[load]] it came from
   std::vector<std::size_t> motion_of;  ///< for each entry of model.motions, the [[motion]]
+  std::vector<DriveAsk> drives;        ///< one for each harmonic [[load]], then each [[motion]]: `model::Driven`
   /// All unknowns near the shape in which the span hangs, and of the straight chain; empty where it does
   /// not hang: then it is at rest with all unknowns zero.
   Eigen::VectorXd hanging, straight;
   std::optional<double> catenary_sag;  ///< [m] of the flexible cable that has given `hanging`
 };
 
-/// The chain of a scene with [span]. Loads at the frequency of a mode get it later, by `set_load_frequency`: modes need
-/// the chain first.
+/// The chain of a scene with [span]. Frequencies of modes are found later: whoever integrates names its drives.
 BuiltSpan build_span(const casefile::Scene& scene);
 
 /// Builds what the analysis needs and throws it away: an InputError for whatever this version cannot model.
 void check_buildable(const casefile::Scene& scene);
-
-/// Gives the entries that came from [[load]] or [[motion]] number `number` their frequency [Hz].
-void set_load_frequency(BuiltSpan& span, std::size_t number, double frequency);
-void set_motion_frequency(BuiltSpan& span, std::size_t number, double frequency);
 
 /// Speed of transverse waves [m/s], tension and mass only; and half a wave length [m] at a frequency [Hz].
 double wave_speed(const casefile::Scene& scene, double tension);

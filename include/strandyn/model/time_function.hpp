@@ -1,32 +1,64 @@
 #pragma once
 /// \file How a load or a motion changes with time.
+///
+/// Each form knows its own value and rate; a new one is a struct in a header of its own and a name in the list.
 
+#include <span>
 #include <variant>
 #include <vector>
 
 namespace strandyn::model {
 
+/// What shakes, decided when the model is long built: amplitude sin(2 pi f t + phase).
+struct Drive {
+  double frequency = 0;  ///< [Hz]
+  double amplitude = 1;  ///< [-] of the load or the motion that follows it
+  double phase = 0;      ///< [rad]
+};
+
 /// 1 at all times.
-struct Constant {};
+struct Constant {
+  double at(double) const { return 1; }
+  double rate(double) const { return 0; }
+};
 
 /// sin(2 pi f t + phase): without a phase it starts from zero, so a force begins without a jump.
 struct Harmonic {
   double frequency = 0;  ///< [Hz]
   double phase = 0;      ///< [rad]
+
+  double at(double t) const;
+  double rate(double t) const;
 };
 
 /// Straight lines between given points; constant before the first and after the last.
 struct Tabulated {
   std::vector<double> time;   ///< [s] increasing
   std::vector<double> value;  ///< [-]
+
+  double at(double t) const;
+  double rate(double t) const;  ///< at a corner that of the line which begins there
+  /// [s] where the rate jumps. A table of many rows is a measured signal that the steps resolve: it has none.
+  std::vector<double> corners() const;
 };
 
-using TimeFunction = std::variant<Constant, Harmonic, Tabulated>;
+/// As a drive of the run says; 0 in an analysis that has no such drive.
+struct Driven {
+  std::size_t drive = 0;  ///< its number
+
+  double at(double t, std::span<const Drive> drives) const;
+  double rate(double t, std::span<const Drive> drives) const;
+};
+
+using TimeFunction = std::variant<Constant, Harmonic, Tabulated, Driven>;
 
 /// The factor at time t [s].
-double evaluate(const TimeFunction& function, double t);
+double evaluate(const TimeFunction& function, double t, std::span<const Drive> drives = {});
 
-/// [1/s] its derivative; at a corner of a table that of the line which begins there.
-double rate(const TimeFunction& function, double t);
+/// [1/s] its derivative.
+double rate(const TimeFunction& function, double t, std::span<const Drive> drives = {});
+
+/// [s] where a step of an integration must end.
+std::vector<double> corners(const TimeFunction& function);
 
 }  // namespace strandyn::model

@@ -47,6 +47,7 @@ class CycleObserver final : public Observer {
 
   void begin(const system::System& system, const StepRecord& initial) override;
   void step(const system::System& system, const StepRecord& record) override;
+  bool wants_forces() const override { return true; }
   void archive(Archive& a) override;
 
   const std::vector<Cycle>& cycles() const { return cycles_; }

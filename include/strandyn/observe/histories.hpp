@@ -46,6 +46,7 @@ class MomentumObserver final : public Observer {
  public:
   void begin(const system::System& system, const StepRecord& initial) override;
   void step(const system::System& system, const StepRecord& record) override;
+  bool wants_forces() const override { return true; }
 
   const Eigen::Vector3d& momentum() const { return momentum_; }  ///< [kg m/s]
   const Eigen::Vector3d& mass() const { return mass_; }          ///< [kg] that moves along each axis

@@ -38,6 +38,7 @@ class Ledger final : public Observer {
  public:
   void begin(const system::System& system, const StepRecord& initial) override;
   void step(const system::System& system, const StepRecord& record) override;
+  bool wants_forces() const override { return true; }
   void archive(Archive& a) override { a(now_, initial_elastic_, power_, u_, external_, internal_); }
 
   const Account& now() const { return now_; }
@@ -45,14 +46,10 @@ class Ledger final : public Observer {
   const system::Vector& external_force() const { return external_; }
 
  private:
-  static void evaluate(const system::System& system, const StepRecord& record, system::Vector& external,
-                       system::Vector& internal);
-
   Account now_;
   double initial_elastic_ = 0;  // [J]
   system::ViscousLoss power_;   // [W] at the last step
   system::Vector u_, external_, internal_;
-  system::Vector next_external_, next_internal_;
 };
 
 }  // namespace strandyn::observe

@@ -15,6 +15,10 @@ struct StepRecord {
   const system::Vector& u;  ///< displacements [m] and rotations [rad]
   const system::Vector& v;  ///< velocities; 0 for unknowns without mass
   const system::Vector& a;  ///< accelerations; 0 for unknowns without mass
+  /// [N], [N m] of this state under the committed history, as `System::forces` tells them; empty where no observer of
+  /// the run wants them.
+  const system::Vector& external;
+  const system::Vector& internal;
   system::Accepted accepted;
 };
 
@@ -24,6 +28,8 @@ class Observer {
   virtual ~Observer() = default;
   virtual void begin(const system::System& system, const StepRecord& initial) = 0;
   virtual void step(const system::System& system, const StepRecord& record) = 0;
+  /// Does it read the forces of the record?
+  virtual bool wants_forces() const { return false; }
   /// What it has gathered, for checkpoints: written, or read after `begin`. Whoever gathers nothing does nothing.
   virtual void archive(Archive&) { throw ComputationError("an observer of this run cannot be kept in a checkpoint"); }
 };

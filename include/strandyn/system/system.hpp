@@ -1,7 +1,7 @@
 #pragma once
 /// \file What a scene does: forces, tangents and energies of the chain, and the history of its sections.
 ///
-///     M(u) v' + g(u, v) + f_int(u; history) + c v = f_ext(t, u)
+///     r(u, v, v'; t, drives) = M(u) v' + g(u, v) + f_int(u; history) + C v - f_ext(t, u; drives) = 0
 /// with u the displacements and rotations of all nodes, supports included: a held unknown keeps its place in the
 /// vectors, its equation reads u = 0, or u = what a prescribed motion says. Unknowns without mass (rotations, unless
 /// they carry rotary inertia) are algebraic.
@@ -13,6 +13,7 @@
 #include <Eigen/Dense>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "strandyn/beam/rigid_inertia.hpp"
@@ -36,11 +37,13 @@ struct Accepted {
   double quadrature_error = 0;  ///< excess of `friction` over the trapezoidal work balance of the step, >= 0
 };
 
-/// Velocities and accelerations that go with a position.
-struct Motion {
+/// Positions, and the velocities and accelerations that go with them; without these it is a state at rest.
+struct State {
   const double* u = nullptr;
   const double* v = nullptr;
   const double* a = nullptr;
+
+  bool is_at_rest() const { return !v; }
 };
 
 /// How much of each derivative of the inertia and drag forces a matrix takes.
@@ -67,11 +70,12 @@ struct ViscousLoss {
   double total() const { return drag + dampers + rayleigh + modal; }
 };
 
-/// When loads and prescribed motions are asked for: at a time, and in a static analysis in part.
-struct LoadState {
+/// When loads and prescribed motions are asked for: at a time, in a static analysis in part, in a run under its drives.
+struct At {
   double time = 0;  ///< [s]
   double part = 1;  ///< [-] of all loads and motions but the dead loads
   double dead = 1;  ///< [-] of the dead loads
+  std::span<const model::Drive> drives = {};
 };
 
 class System {
@@ -90,8 +94,8 @@ class System {
   bool has_mass(std::size_t i) const { return mass_[i]; }  ///< is the unknown dynamic: free, and with inertia
   bool has_moving_supports() const { return !model_.motions.empty(); }
   /// Writes the values that held unknowns have; leaves the others.
-  void held_values(LoadState at, double* u) const;
-  void held_rates(double t, double* v) const;
+  void held_values(At at, double* u) const;
+  void held_rates(At at, double* v) const;
 
   /// Adds damping that needs modes or the stiffness at rest, and so cannot be part of the model.
   void set_damping(ProportionalDamping damping) { damping_ = std::move(damping); }
@@ -99,6 +103,17 @@ class System {
 
   /// Starts the history: virgin sections, brought straight to the strains of `u`.
   void begin(const ConstVectorRef& u);
+
+  /// r = M v' + g + C v + f_int - f_ext for all unknowns. At held ones, whose own equation is another, it is what the
+  /// support does; at all others it is zero where the equation of motion holds. A state at rest has no inertia and drag.
+  void residual(const State& state, At at, double* r) const;
+  /// The same and K = d(f_int - f_ext)/du, the law asked once.
+  void residual(const State& state, At at, double* r, Matrix& K) const;
+  /// What the supports do: the residual at held unknowns, zero at all others. [N], [N m]
+  void reactions(const State& state, At at, double* f) const;
+  /// The two forces of an accepted state, apart. Where supports move, `external` has at held unknowns what loads and
+  /// support have to do together.
+  void forces(const State& state, At at, Vector& external, Vector& internal) const;
 
   /// f = f_int(u), springs of bodies included. [N], [N m]
   void internal_force(const double* u, double* f) const;
@@ -111,14 +126,14 @@ class System {
   void stiffness_of(const section::Field& stresses, const section::TangentField& tangents, const double* u,
                     Matrix& K) const;
   /// f = f_ext at u: moments that keep their direction in space depend on the rotation of their node.
-  void external_force(LoadState at, const double* u, double* f) const;
+  void external_force(At at, const double* u, double* f) const;
   /// K -= df_ext/du.
-  void subtract_external_tangent(LoadState at, const double* u, Matrix& K) const;
+  void subtract_external_tangent(At at, const double* u, Matrix& K) const;
   /// f += M v' + g + C v, with all viscous forces.
-  void add_inertia_and_drag(const Motion& motion, double* f) const;
+  void add_inertia_and_drag(const State& state, double* f) const;
   /// K += the derivatives of M v' + g + C v by acceleration, velocity and position, each times its factor. Modal
   /// damping, which couples all nodes and is small beside the inertia of a step, is left out.
-  void add_inertia_and_drag(const Motion& motion, InertiaFactors factors, Matrix& K) const;
+  void add_inertia_and_drag(const State& state, InertiaFactors factors, Matrix& K) const;
   /// Replaces the equations of held unknowns by u = right-hand side.
   void hold(Matrix& K) const;
 
@@ -175,7 +190,7 @@ class System {
   // Working storage of an evaluation.
   mutable section::Field strains_, stresses_;
   mutable section::TangentField tangents_;
-  mutable Vector damping_force_;
+  mutable Vector damping_force_, load_;
   mutable section::Effort effort_;
   mutable std::size_t residual_evaluations_ = 0;
   mutable std::size_t jacobian_evaluations_ = 0;

@@ -16,7 +16,7 @@ using system::Vector;
 
 namespace {
 
-constexpr system::LoadState at_rest{.time = 0};
+constexpr system::At at_rest{.time = 0};
 
 std::size_t find_place(const System& system, const Place& place, bool held, const char* what) {
   const model::Model& model = system.model();
@@ -56,7 +56,7 @@ HarmonicBalance::HarmonicBalance(const System& system, const Vector& rest, const
   Field stresses = strains;
   system.model().law->respond(system.history(), strains, stresses, &tangents_);
   const Vector still = system.make_vector();
-  const system::Motion motion{.u = rest.data(), .v = still.data(), .a = still.data()};
+  const system::State motion{.u = rest.data(), .v = still.data(), .a = still.data()};
   system.add_inertia_and_drag(motion, {.acceleration = 1}, M_);
   system.add_inertia_and_drag(motion, {.velocity = 1}, C_);
   for (std::size_t i = 0; i < system.unknowns(); ++i) {

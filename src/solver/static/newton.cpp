@@ -5,7 +5,7 @@
 
 namespace strandyn::solver {
 
-using system::LoadState;
+using system::At;
 using system::System;
 using system::Vector;
 
@@ -20,7 +20,7 @@ system::Vector translations(const model::Model& model, const Vector& u) {
 PathNewton::PathNewton(const System& system, const EquilibriumOptions& options, Staging staging)
     : system_(system), options_(options), staging_(std::move(staging)), K_(system.make_matrix()) {}
 
-LoadState PathNewton::state(double factor) const {
+At PathNewton::state(double factor) const {
   switch (staging_.stage) {
     case Stage::dead:
       return {.time = 0, .part = 0, .dead = factor};

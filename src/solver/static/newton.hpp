@@ -55,7 +55,7 @@ class PathNewton {
     system::Vector slope;  // their derivative by lambda
   };
   Load load_at(const PathPoint& point) const;
-  system::LoadState state(double factor) const;
+  system::At state(double factor) const;
   bool is_rounding(const system::Vector& correction, const system::Vector& u) const;
 
   const system::System& system_;

@@ -2,11 +2,14 @@
 
 #include <cmath>
 
+#include "strandyn/core/error.hpp"
+
 namespace strandyn::solver {
 
 AlphaStepper::AlphaStepper(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
                            GeneralizedAlpha method)
     : system_(system),
+      drives_(options.drives),
       alpha_m_(method.alpha_m()),
       alpha_f_(method.alpha_f()),
       gamma_(method.gamma()),
@@ -21,7 +24,6 @@ AlphaStepper::AlphaStepper(system::System& system, const InitialMotion& initial,
       next_a_(a_),
       rate_(initial.v),
       K_(system.make_matrix()),
-      external_(system.make_vector()),
       correction_(system.make_vector()),
       earlier_rates_(system.make_vector()),
       later_rates_(system.make_vector()) {
@@ -33,28 +35,27 @@ AlphaStepper::AlphaStepper(system::System& system, const InitialMotion& initial,
 
 /// Means of one whole step about t, whose sum misses no jump of a prescribed velocity.
 void AlphaStepper::held_accelerations(double t, system::Vector& w) {
-  system_.held_rates(t - whole_step_ / 2, earlier_rates_.data());
-  system_.held_rates(t + whole_step_ / 2, later_rates_.data());
+  system_.held_rates(at(t - whole_step_ / 2), earlier_rates_.data());
+  system_.held_rates(at(t + whole_step_ / 2), later_rates_.data());
   for (std::size_t i = 0; i < system_.unknowns(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    if (system_.is_held(i)) w(at) = (later_rates_(at) - earlier_rates_(at)) / whole_step_;
+    const auto k = static_cast<Eigen::Index>(i);
+    if (system_.is_held(i)) w(k) = (later_rates_(k) - earlier_rates_(k)) / whole_step_;
   }
 }
 
 void AlphaStepper::restart() {
   system::Vector force = system_.make_vector();
-  system::Vector internal = system_.make_vector();
-  system_.external_force({.time = time_}, now_.u.data(), force.data());
-  system_.internal_force(now_.u.data(), internal.data());
-  force -= internal;
+  system_.residual({.u = now_.u.data()}, at(time_), force.data());
+  force = -force;
   system::Vector held = system_.make_vector();
   if (system_.has_moving_supports()) {
-    system_.held_rates(time_, now_.v.data());
+    system_.held_rates(at(time_), now_.v.data());
     held_accelerations(time_, held);
     system::Matrix M = system_.make_matrix();
     system_.mass_matrix(now_.u.data(), M);
-    M.multiply(held.data(), internal.data());
-    force -= internal;
+    system::Vector inertia = system_.make_vector();
+    M.multiply(held.data(), inertia.data());
+    force -= inertia;
   }
   system_.accelerations(now_.u.data(), now_.v.data(), force.data(), now_.w.data());
   now_.w += held;
@@ -62,16 +63,16 @@ void AlphaStepper::restart() {
   starting_ = true;
 }
 
-void AlphaStepper::shorten_rotations() {
+bool AlphaStepper::shorten_rotations() {
   next_.u = now_.u;
-  if (!system_.shorten_rotations(next_.u.data(), rate_.data())) return;
-  system_.shorten_rotations(now_.u.data(), now_.v.data());
-  restart();
+  if (!system_.shorten_rotations(next_.u.data(), rate_.data())) return false;
+  return system_.shorten_rotations(now_.u.data(), now_.v.data());
 }
 
 /// All that `adapt_to` and `predict` do not make anew, and the factors, of a state and a history of long ago.
 void AlphaStepper::archive(Archive& a) {
-  a(time_, h_, now_, a_, starting_, rate_, patience_, factors_, factored_, newton_iterations_);
+  a(time_, length_, multiples_, whole_, rejected_steps_);
+  a(h_, now_, a_, starting_, rate_, patience_, factors_, factored_, newton_iterations_);
 }
 
 /// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.
@@ -98,32 +99,29 @@ void AlphaStepper::predict(double end) {
     next_.v(i) = now_.v(i) + h * ((1 - gamma_) * a0 + gamma_ * a1);
     next_.w(i) = ((1 - alpha_m_) * a1 + alpha_m_ * a0 - alpha_f_ * now_.w(i)) / (1 - alpha_f_);
   }
-  system_.held_values({.time = end}, next_.u.data());
+  system_.held_values(at(end), next_.u.data());
   if (!system_.has_moving_supports()) return;
-  system_.held_rates(end, next_.v.data());
+  system_.held_rates(at(end), next_.v.data());
   held_accelerations(end, next_.w);
 }
 
 /// One Newton correction; `fresh`: with the tangent where it stands. False where that is singular.
 bool AlphaStepper::correct(double end, bool fresh) {
-  const system::Motion motion{.u = next_.u.data(), .v = next_.v.data(), .a = next_.w.data()};
-  system_.external_force({.time = end}, motion.u, external_.data());
+  const system::State state{.u = next_.u.data(), .v = next_.v.data(), .a = next_.w.data()};
   if (fresh) {
-    system_.internal_force(motion.u, correction_.data(), K_);
-    system_.subtract_external_tangent({.time = end}, motion.u, K_);
-    system_.add_inertia_and_drag(motion, {.acceleration = dw_, .velocity = dv_, .position = 1}, K_);
+    system_.residual(state, at(end), correction_.data(), K_);
+    system_.add_inertia_and_drag(state, {.acceleration = dw_, .velocity = dv_, .position = 1}, K_);
     const Stopwatch::Lap lap(system_.stopwatch(), Part::factorization);
     system_.hold(K_);
     const bool done = factors_.factorize(K_);
     factored_ = done ? dw_ : 0;
     if (!done) return false;
   } else {
-    system_.internal_force(motion.u, correction_.data());
+    system_.residual(state, at(end), correction_.data());
   }
-  system_.add_inertia_and_drag(motion, correction_.data());
   for (std::size_t n = 0; n < system_.unknowns(); ++n) {
     const auto i = static_cast<Eigen::Index>(n);
-    correction_(i) = system_.is_held(n) ? 0.0 : external_(i) - correction_(i);
+    correction_(i) = system_.is_held(n) ? 0.0 : -correction_(i);
   }
   const Stopwatch::Lap lap(system_.stopwatch(), Part::solve);
   factors_.solve(correction_.data());
@@ -153,7 +151,8 @@ bool AlphaStepper::solve(double end) {
   return false;
 }
 
-bool AlphaStepper::step(double end) {
+/// One step or part of one. False where it did not converge: the state is then what it was.
+bool AlphaStepper::advance(double end) {
   adapt_to(end - time_);
   if (!solve(end)) return false;
   if (starting_) {
@@ -169,8 +168,40 @@ bool AlphaStepper::step(double end) {
   rate_ = (next_.u - now_.u) / h_;
   std::swap(now_, next_);
   a_.swap(next_a_);
+  length_ = end - time_;
   time_ = end;
   return true;
+}
+
+bool AlphaStepper::step(double stop) {
+  auto& [start, done, part] = whole_;
+  const bool stops = stop <= next_multiple() + rounding();
+  const double target = stops ? stop : next_multiple();
+  for (;;) {
+    const double end = done + part == parts ? target : start + (target - start) * (done + part) / parts;
+    tried_ = end - time_;
+    if (advance(end)) break;
+    ++rejected_steps_;
+    part /= 2;
+    if (part == 0) return false;
+  }
+  done += part;
+  while (done < parts && done % (2 * part) == 0) part *= 2;
+  if (done < parts) return true;
+  whole_ = {.start = time_};
+  if (!stops) ++multiples_;
+  while (stops && next_multiple() <= stop + rounding()) ++multiples_;
+  return true;
+}
+
+StepFailure AlphaStepper::failure() const {
+  return {.length = tried_, .order = {}, .corrections = test_.worst_unknowns(system_.model())};
+}
+
+std::unique_ptr<Stepper> make_stepper(const GeneralizedAlpha& method, system::System& system,
+                                      const InitialMotion& initial, const IntegratorOptions& options) {
+  if (!(method.rho_inf >= 0 && method.rho_inf <= 1)) throw ComputationError("rho_inf of generalized-alpha is 0 to 1");
+  return std::make_unique<AlphaStepper>(system, initial, options, method);
 }
 
 }  // namespace strandyn::solver

@@ -6,19 +6,19 @@
 
 namespace strandyn::solver {
 
-ChainProblem::ChainProblem(system::System& system)
+ChainProblem::ChainProblem(system::System& system, std::span<const model::Drive> drives)
     : system_(system),
-      external_(static_cast<Eigen::Index>(system.unknowns())),
-      internal_(external_.size()),
-      u_(external_.size()),
-      v_(external_.size()),
-      a_(external_.size()),
+      drives_(drives.begin(), drives.end()),
+      scratch_(system.make_vector()),
+      u_(scratch_),
+      v_(scratch_),
+      a_(scratch_),
       K_(system.make_matrix()),
       G_(system.make_matrix()),
       held_(system.make_vector()),
       held_rates_(held_),
-      right_side_(external_.size()),
-      product_(external_.size()) {}
+      right_side_(scratch_),
+      product_(scratch_) {}
 
 void ChainProblem::residual(double t, const double* y, const double* yp, double* f, bool with_tangent) {
   const std::size_t n = unknowns();
@@ -26,34 +26,32 @@ void ChainProblem::residual(double t, const double* y, const double* yp, double*
   std::copy(y + n, y + 2 * n, v_.data());
   std::copy(yp + n, yp + 2 * n, a_.data());
   time_ = t;
-  system_.external_force({.time = t}, y, external_.data());
   if (system_.has_moving_supports()) {
-    system_.held_values({.time = t}, held_.data());
-    system_.held_rates(t, held_rates_.data());
+    system_.held_values(at(t), held_.data());
+    system_.held_rates(at(t), held_rates_.data());
   }
   double* balance = f + n;
+  const system::State state{.u = y, .v = y + n, .a = yp + n};
   if (with_tangent) {
-    system_.internal_force(y, balance, K_);
+    system_.residual(state, at(t), balance, K_);
   } else {
-    system_.internal_force(y, balance);
+    system_.residual(state, at(t), balance);
   }
   tangent_at_hand_ = with_tangent;
-  system_.add_inertia_and_drag({.u = y, .v = y + n, .a = yp + n}, balance);
   for (std::size_t i = 0; i < n; ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    f[i] = system_.has_mass(i) ? yp[i] - y[n + i] : y[n + i] - held_rates_(at);
-    balance[i] = system_.is_held(i) ? y[i] - held_(at) : balance[i] - external_(at);
+    const auto k = static_cast<Eigen::Index>(i);
+    f[i] = system_.has_mass(i) ? yp[i] - y[n + i] : y[n + i] - held_rates_(k);
+    if (system_.is_held(i)) balance[i] = y[i] - held_(k);
   }
 }
 
 void ChainProblem::refresh(double cj) {
-  const system::Motion motion{.u = u_.data(), .v = v_.data(), .a = a_.data()};
-  if (!tangent_at_hand_) system_.internal_force(u_.data(), internal_.data(), K_);
+  const system::State state{.u = u_.data(), .v = v_.data(), .a = a_.data()};
+  if (!tangent_at_hand_) system_.residual({.u = u_.data()}, at(time_), scratch_.data(), K_);
   tangent_at_hand_ = false;  // what follows makes another matrix of it
-  system_.subtract_external_tangent({.time = time_}, u_.data(), K_);
-  system_.add_inertia_and_drag(motion, {.acceleration = cj * cj, .velocity = cj, .position = 1}, K_);
+  system_.add_inertia_and_drag(state, {.acceleration = cj * cj, .velocity = cj, .position = 1}, K_);
   G_.set_zero();
-  system_.add_inertia_and_drag(motion, {.acceleration = cj, .velocity = 1, .position = 0}, G_);
+  system_.add_inertia_and_drag(state, {.acceleration = cj, .velocity = 1, .position = 0}, G_);
   const Stopwatch::Lap lap(system_.stopwatch(), Part::factorization);
   system_.hold(K_);
   if (!factors_.factorize(K_)) throw ComputationError("the matrix of the implicit step is singular");

@@ -10,7 +10,7 @@ namespace strandyn::solver {
 
 class ChainProblem {
  public:
-  explicit ChainProblem(system::System& system);
+  explicit ChainProblem(system::System& system, std::span<const model::Drive> drives = {});
 
   std::size_t unknowns() const { return system_.unknowns(); }
   std::string unknown_name(std::size_t i) const { return system_.model().unknown_name(i); }
@@ -29,8 +29,11 @@ class ChainProblem {
   void archive(Archive& a) { a(G_, factors_, cj_); }
 
  private:
+  system::At at(double t) const { return {.time = t, .drives = drives_}; }
+
   system::System& system_;
-  system::Vector external_, internal_;
+  std::vector<model::Drive> drives_;
+  system::Vector scratch_;
   system::Vector u_, v_, a_;  // state of the last residual
   system::Matrix K_, G_;
   math::ChainFactors factors_;

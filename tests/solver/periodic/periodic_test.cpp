@@ -10,7 +10,7 @@
 
 #include "solver/vibration.hpp"
 #include "strandyn/analysis/methods.hpp"
-#include "strandyn/solver/time/generalized_alpha.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn;
@@ -131,8 +131,8 @@ Steady transient(Vibration& v, const PeriodicSetup& setup, const PeriodicSolutio
   LastCycle last((cycles - 1) * period, *v.model.index(setup.control.node, Unknown::y));
   observe::Observer* const observers[] = {&last};
   const auto before = v.system.effort().evaluations;
-  integrate_generalized_alpha(v.system, start, {.step = period / 200, .end_time = cycles * period, .stop = {}},
-                              {.rho_inf = 0.9}, observers);
+  integrate(v.system, start, {.step = period / 200, .end_time = cycles * period, .stop = {}},
+                              GeneralizedAlpha{.rho_inf = 0.9}, observers);
   last.steady.evaluations_per_cycle = static_cast<double>(v.system.effort().evaluations - before) / cycles;
   v.model.loads.clear();
   v.system.begin(v.rest);

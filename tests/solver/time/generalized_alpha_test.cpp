@@ -1,4 +1,4 @@
-#include "strandyn/solver/time/generalized_alpha.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 
 #include <doctest/doctest.h>
 
@@ -39,7 +39,7 @@ constexpr double pi = std::numbers::pi;
 IntegratorSummary run(System& system, const solver::InitialMotion& start, const IntegratorOptions& options,
                       GeneralizedAlpha method, Trace& trace) {
   observe::Observer* const observers[] = {&trace};
-  return solver::integrate_generalized_alpha(system, start, options, method, observers);
+  return solver::integrate(system, start, options, method, observers);
 }
 
 /// What a step does to a pure mode: q_n = |c| r^n cos(n angle + phase).

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "strandyn/math/rotation.hpp"
-#include "strandyn/solver/time/ida.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "support/check_close.hpp"
 #include "system/freedoms.hpp"
 
@@ -101,8 +101,8 @@ TEST_CASE("ida: a load with corners in its table gives a free body exactly its i
     system.begin(zeros(model));
     Momentum momentum;
     observe::Observer* const observers[] = {&momentum};
-    const auto summary = solver::integrate_ida(system, {.u = zeros(model), .v = zeros(model)},
-                                               {.step = 2e-5, .end_time = 0.04, .stop = {}}, observers);
+    const auto summary = solver::integrate(system, {.u = zeros(model), .v = zeros(model)},
+                                               {.step = 2e-5, .end_time = 0.04, .stop = {}}, solver::Ida{}, observers);
     REQUIRE(summary.ending == solver::Ending::finished);
     CHECK(summary.order_one_steps == 0);
     CHECK(momentum.corner_met);
@@ -125,8 +125,8 @@ TEST_CASE("ida: a free beam in space turns many times and loses no more than the
     system.begin(zeros(model));
     Turns turns(axis);
     observe::Observer* const observers[] = {&turns};
-    const auto summary = solver::integrate_ida(system, {.u = zeros(model), .v = v},
-                                               {.step = 1 / steps, .end_time = 5, .stop = {}}, observers);
+    const auto summary = solver::integrate(system, {.u = zeros(model), .v = v},
+                                               {.step = 1 / steps, .end_time = 5, .stop = {}}, solver::Ida{}, observers);
     REQUIRE(summary.ending == solver::Ending::finished);
     CHECK(summary.order_one_steps == 0);
     const double theta = omega / steps;

@@ -1,4 +1,4 @@
-#include "strandyn/solver/time/ida.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,8 @@
 using namespace strandyn;
 using strandyn::observe::StepRecord;
 using strandyn::solver::Ending;
-using strandyn::solver::integrate_ida;
+using strandyn::solver::Ida;
+using strandyn::solver::integrate;
 using strandyn::solver::IntegratorOptions;
 using strandyn::solver::IntegratorSummary;
 using strandyn::system::System;
@@ -52,7 +53,7 @@ class Recorder final : public observe::Observer {
 
 IntegratorSummary run(Vibration& vibration, double amplitude, const IntegratorOptions& options, Recorder& recorder) {
   observe::Observer* const observers[] = {&recorder};
-  return integrate_ida(vibration.system, vibration.start(amplitude), options, observers);
+  return integrate(vibration.system, vibration.start(amplitude), options, Ida{}, observers);
 }
 
 /// [Hz] from the first to the last upward crossing of zero, found between steps by a straight line.
@@ -189,8 +190,8 @@ TEST_CASE("ida: a harmonic force drives the span at its own frequency from rest"
   Recorder recorder(vibration);
   observe::Observer* const observers[] = {&recorder};
   // A quarter of a period: the force is at its peak.
-  integrate_ida(system, {.u = vibration.rest, .v = vibration.rest},
-                {.step = 1 / (frequency * 4000), .end_time = 0.25 / frequency, .stop = {}}, observers);
+  integrate(system, {.u = vibration.rest, .v = vibration.rest},
+                {.step = 1 / (frequency * 4000), .end_time = 0.25 / frequency, .stop = {}}, Ida{}, observers);
   // The start from rest leaves a swing of (f/f_1) of the static deflection, damped by the coarse step.
   check_close(recorder.u(31), deflected(31), {.relative = 0.03});
 }

@@ -6,8 +6,6 @@
 #include <regex>
 #include <stdexcept>
 
-#include "strandyn/solver/time/generalized_alpha.hpp"
-#include "strandyn/solver/time/ida.hpp"
 #include "support/check_close.hpp"
 
 namespace strandyn::test {
@@ -22,15 +20,23 @@ using solver::IntegratorSummary;
 using system::System;
 using system::Vector;
 
+namespace {
+
+Integrator through(const solver::TimeMethod& method) {
+  return [method](System& system, const InitialMotion& initial, const IntegratorOptions& options,
+                  std::span<Observer* const> observers) {
+    return solver::integrate(system, initial, options, method, observers);
+  };
+}
+
+}  // namespace
+
 Integrator ida() {
-  return solver::integrate_ida;
+  return through(solver::Ida{});
 }
 
 Integrator generalized_alpha(double rho_inf) {
-  return [rho_inf](System& system, const InitialMotion& initial, const IntegratorOptions& options,
-                   std::span<Observer* const> observers) {
-    return solver::integrate_generalized_alpha(system, initial, options, {.rho_inf = rho_inf}, observers);
-  };
+  return through(solver::GeneralizedAlpha{.rho_inf = rho_inf});
 }
 
 void Trace::step(const System& system, const StepRecord& record) {

@@ -12,14 +12,18 @@
 /// rho_inf is the factor per step on motions much faster than the step: 1 keeps them (a = w, the trapezoidal rule: no
 /// damping at all), 0 removes them. What it does to a mode of omega, with k = (1 - rho_inf)/(1 + rho_inf):
 ///     zeta = k^3 (omega h)^3/2,      df/f = -(1/12 + 3 k^2/8) (omega h)^2        and O(h^4)
-
-#include <span>
-
-#include "strandyn/solver/time/integrator.hpp"
+///
+/// A step that does not converge is halved, and halved again; its parts add up to the whole, so the ends of the cycles
+/// are met as before.
 
 namespace strandyn::solver {
 
 struct GeneralizedAlpha {
+  static constexpr const char* name = "generalized-alpha";
+  /// Slip begins and ends within a cycle, at curvatures near the largest: with so many steps a cycle the friction is
+  /// right to half a percent. More would cost and show nothing new.
+  static constexpr int least_steps = 200;
+
   double rho_inf = 0.9;  ///< [-] 0 to 1
 
   double alpha_m() const { return (2 * rho_inf - 1) / (1 + rho_inf); }
@@ -31,11 +35,5 @@ struct GeneralizedAlpha {
   double damping_ratio(double angle) const;
   double frequency_error(double angle) const;  ///< relative
 };
-
-/// Integrates from time 0. The history of `system` must have begun at `initial.u`. A step that does not converge is
-/// halved, and halved again; its parts add up to the whole, so the ends of the cycles are met as before.
-IntegratorSummary integrate_generalized_alpha(system::System& system, const InitialMotion& initial,
-                                              const IntegratorOptions& options, GeneralizedAlpha method,
-                                              std::span<observe::Observer* const> observers);
 
 }  // namespace strandyn::solver

@@ -10,16 +10,22 @@
 /// iterate. So the order is held at 2 (the error test sees a constant; accuracy is governed by the step and shown by
 /// the energy ledger), and the Newton test uses the current step only. Damping of a mode: zeta = (omega h)^3/4;
 /// relative error of its frequency: (omega h)^2/3. [H2005, B1996]
-
-#include <span>
-
-#include "strandyn/solver/time/integrator.hpp"
+///
+/// Steps grow to the wanted one by doubling from 1/256 of it.
 
 namespace strandyn::solver {
 
-/// Integrates from time 0; steps grow to `options.step` by doubling from 1/256 of it. The history of `system` must have
-/// begun at `initial.u`.
-IntegratorSummary integrate_ida(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
-                                std::span<observe::Observer* const> observers);
+struct Ida {
+  static constexpr const char* name = "ida";
+  static constexpr int least_steps = 400;  ///< a cycle: its error is that of generalized-alpha at half the steps
+
+  /// Leading terms for a mode of angle omega h [rad] per step.
+  double damping_ratio(double angle) const;
+  double frequency_error(double angle) const;  ///< relative
+};
+
+/// Can a run of IDA be kept and taken up again? Only where the program was built with the header of IDA's memory, which
+/// not every installation of SUNDIALS has. Checkpoints of generalized-alpha always work.
+bool ida_has_checkpoints();
 
 }  // namespace strandyn::solver

@@ -1,16 +1,17 @@
 #pragma once
-/// \file What the two integrators, `integrate_ida` and `integrate_generalized_alpha`, have in common.
+/// \file Integration in time: one loop over the steps of whichever method.
 ///
-/// Both integrate
 ///     M(u) v' + g(u, v) + f_int(u; committed history) + c v = f_ext(t, u),   u' = v
 /// for unknowns with mass, f_int = f_ext for those without, u as prescribed for held ones. The history moves on once
 /// per accepted step, by re-evaluation at the state of its end.
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "strandyn/observe/step_record.hpp"
+#include "strandyn/solver/time/method.hpp"
 
 namespace strandyn::solver {
 
@@ -36,6 +37,7 @@ struct IntegratorOptions {
   double relative_error = 0;
   std::function<bool()> stop = {};  ///< asked after each step: true ends the run early
   Checkpoints checkpoints = {};
+  std::vector<model::Drive> drives = {};  ///< what `model::Driven` loads and motions follow
 };
 
 enum class Ending { finished, stopped, failed };
@@ -56,8 +58,9 @@ struct InitialMotion {
   system::Vector v;
 };
 
-/// [s] where a step must end: corners of tabulated histories, ascending, and the end. A table of many rows is a
-/// measured signal that the steps resolve; its corners are not looked at.
-std::vector<double> corner_times(const model::Model& model, double end_time);
+/// Integrates from time 0. The history of `system` must have begun at `initial.u`. Checkpoints that the method cannot
+/// keep are an InputError.
+IntegratorSummary integrate(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
+                            const TimeMethod& method, std::span<observe::Observer* const> observers);
 
 }  // namespace strandyn::solver

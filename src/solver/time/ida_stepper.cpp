@@ -1,4 +1,4 @@
-#include "ida_session.hpp"
+#include "ida_stepper.hpp"
 
 #include <fmt/format.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
@@ -15,7 +15,7 @@ namespace strandyn::solver {
 namespace {
 
 /// IDA's error test sees this: small enough to pass always, the same at every order, so that order 2 is kept.
-realtype constant_error(N_Vector, N_Vector, N_Vector) {
+sunrealtype constant_error(N_Vector, N_Vector, N_Vector) {
   return 1e-4;
 }
 
@@ -25,7 +25,7 @@ void check(int flag, const char* call) {
 
 SUNContext make_context() {
   SUNContext context = nullptr;
-  check(SUNContext_Create(nullptr, &context), "SUNContext_Create");
+  check(sundials::create_context(&context), "SUNContext_Create");
   return context;
 }
 
@@ -39,27 +39,31 @@ N_Vector make_vector(std::size_t n, SUNContext context, bool hold_order) {
 
 }  // namespace
 
-IdaSession::IdaSession(system::System& system, const InitialMotion& initial, const IntegratorOptions& options)
+IdaStepper::IdaStepper(system::System& system, const InitialMotion& initial, const IntegratorOptions& options)
     : system_(system),
-      problem_(system),
+      problem_(system, options.drives),
       options_(options),
       context_(make_context()),
       y_(make_vector(system.unknowns(), context_.get(), options.relative_error == 0)),
       yp_(make_vector(system.unknowns(), context_.get(), options.relative_error == 0)),
       id_(make_vector(system.unknowns(), context_.get(), options.relative_error == 0)),
       ida_(IDACreate(context_.get())),
+      u_(initial.u),
+      v_(initial.v),
+      a_(system.make_vector()),
+      start_(initial.u),
       test_(options.newton_tolerance, system.unknowns()) {
   const std::size_t n = system.unknowns();
   for (std::size_t i = 0; i < n; ++i) {
     N_VGetArrayPointer(id_.get())[i] = N_VGetArrayPointer(id_.get())[n + i] = system.has_mass(i) ? 1 : 0;
   }
-  set_state(initial.u, initial.v);
-  start_ = initial.u;
+  set_state();
+  read_state();
   // A micrometre, a microradian, and as much per step: what counts before the motion has begun.
   largest_ = {1e-6, 1e-6, 1e-6 / options.step, 1e-6 / options.step};
 
   void* ida = ida_.get();
-  check(IDASetErrFile(ida, nullptr), "IDASetErrFile");  // `failure` says it better
+  check(sundials::be_silent(context_.get(), ida), "silence of SUNDIALS");
   check(IDAInit(ida, residual, 0, y_.get(), yp_.get()), "IDAInit");
   check(IDASetUserData(ida, this), "IDASetUserData");
   check(IDAWFtolerances(ida, weights), "IDAWFtolerances");
@@ -85,50 +89,62 @@ IdaSession::IdaSession(system::System& system, const InitialMotion& initial, con
   check(SUNNonlinSolSetConvTestFn(nonlinear_.get(), has_converged, this), "SUNNonlinSolSetConvTestFn");
 }
 
-/// y and y' of a state: velocities of unknowns with mass, accelerations that go with the forces.
-void IdaSession::set_state(const system::Vector& u, const system::Vector& v) {
+/// y and y' of u and v: velocities of unknowns with mass, accelerations that go with the forces.
+void IdaStepper::set_state() {
   const std::size_t n = system_.unknowns();
+  const system::At at{.time = time_, .drives = options_.drives};
   double* y = N_VGetArrayPointer(y_.get());
   double* yp = N_VGetArrayPointer(yp_.get());
-  std::copy(u.begin(), u.end(), y);
-  for (std::size_t i = 0; i < n; ++i) y[n + i] = system_.has_mass(i) ? v(static_cast<Eigen::Index>(i)) : 0.0;
-  if (system_.has_moving_supports()) system_.held_rates(time_, y + n);
+  std::copy(u_.begin(), u_.end(), y);
+  for (std::size_t i = 0; i < n; ++i) y[n + i] = system_.has_mass(i) ? v_(static_cast<Eigen::Index>(i)) : 0.0;
+  if (system_.has_moving_supports()) system_.held_rates(at, y + n);
   system::Vector force = system_.make_vector();
-  system::Vector internal = system_.make_vector();
-  system_.external_force({.time = time_}, y, force.data());
-  system_.internal_force(y, internal.data());
-  force -= internal;
+  system_.residual({.u = y}, at, force.data());
+  force = -force;
   for (std::size_t i = 0; i < n; ++i) {
     // Rates of unknowns without mass only help the first predictor.
-    yp[i] = system_.is_held(i) ? y[n + i] : v(static_cast<Eigen::Index>(i));
+    yp[i] = system_.is_held(i) ? y[n + i] : v_(static_cast<Eigen::Index>(i));
   }
   system_.accelerations(y, y + n, force.data(), yp + n);
 }
 
-void IdaSession::restart(const system::Vector& u, const system::Vector& v) {
+/// u, v and a of the y and y' at hand.
+void IdaStepper::read_state() {
+  const double* y = N_VGetArrayPointer(y_.get());
+  u_ = Eigen::Map<const system::Vector>(y, u_.size());
+  v_ = Eigen::Map<const system::Vector>(y + u_.size(), u_.size());
+  a_ = Eigen::Map<const system::Vector>(N_VGetArrayPointer(yp_.get()) + u_.size(), u_.size());
+}
+
+bool IdaStepper::shorten_rotations() {
+  return system_.shorten_rotations(u_.data(), v_.data());
+}
+
+void IdaStepper::restart() {
   rejected_before_ = rejected_steps();  // IDA counts from here
   iterations_before_ = newton_iterations();
-  set_state(u, v);
+  set_state();
   begin_anew();
 }
 
 /// From the y and y' at hand.
-void IdaSession::begin_anew() {
+void IdaStepper::begin_anew() {
   check(IDAReInit(ida_.get(), time_, y_.get(), yp_.get()), "IDAReInit");
   check(IDASetInitStep(ida_.get(), options_.step / 256), "IDASetInitStep");
 }
 
-void IdaSession::archive(Archive& a) {
+void IdaStepper::archive(Archive& a) {
   const auto vector = [&](N_Vector v) {
     for (sunindextype i = 0; i < N_VGetLength(v); ++i) a(N_VGetArrayPointer(v)[i]);
   };
   bool stepped = has_stepped(ida_.get());
   a(stepped);
   // IDA sets itself up in its first step; what comes of it is replaced.
-  if (a.reads() && stepped && !step(options_.end_time)) throw ComputationError(failure());
-  a(time_, largest_, patience_, rejected_before_, iterations_before_, problem_);
+  if (a.reads() && stepped && !advance(options_.end_time)) throw ComputationError("IDA could not set itself up again");
+  a(time_, length_, largest_, patience_, rejected_before_, iterations_before_, problem_);
   vector(y_.get());
   vector(yp_.get());
+  if (a.reads()) read_state();
   if (stepped) {
     archive_ida(a, ida_.get());
   } else if (a.reads()) {
@@ -136,7 +152,7 @@ void IdaSession::archive(Archive& a) {
   }
 }
 
-void IdaSession::make_linear_solver() {
+void IdaStepper::make_linear_solver() {
   matrix_.reset(SUNMatNewEmpty(context_.get()));
   matrix_->ops->getid = [](SUNMatrix) { return SUNMATRIX_CUSTOM; };
   matrix_->ops->zero = [](SUNMatrix) { return 0; };
@@ -156,29 +172,29 @@ void IdaSession::make_linear_solver() {
 }
 
 /// Weights of the error test: each kind of unknown against the largest that it has been. Held order asks for none.
-int IdaSession::weights(N_Vector y, N_Vector weight, void* self) {
-  auto& session = *static_cast<IdaSession*>(self);
-  const double error = session.options_.relative_error;
+int IdaStepper::weights(N_Vector y, N_Vector weight, void* self) {
+  auto& stepper = *static_cast<IdaStepper*>(self);
+  const double error = stepper.options_.relative_error;
   N_VConst(1, weight);
   if (error == 0) return 0;
-  const model::Model& model = session.system_.model();
-  const std::size_t n = session.problem_.unknowns();
+  const model::Model& model = stepper.system_.model();
+  const std::size_t n = stepper.problem_.unknowns();
   const double* state = N_VGetArrayPointer(y);
   double* w = N_VGetArrayPointer(weight);
   const auto kind = [&](std::size_t i) {
     return (i < n ? 0U : 2U) + (model::is_rotation(model.kind(i % n)) ? 1U : 0U);
   };
   for (std::size_t i = 0; i < 2 * n; ++i) {
-    const double start = i < n ? session.start_(static_cast<Eigen::Index>(i)) : 0;
-    session.largest_[kind(i)] = std::max(session.largest_[kind(i)], std::abs(state[i] - start));
+    const double start = i < n ? stepper.start_(static_cast<Eigen::Index>(i)) : 0;
+    stepper.largest_[kind(i)] = std::max(stepper.largest_[kind(i)], std::abs(state[i] - start));
   }
-  for (std::size_t i = 0; i < 2 * n; ++i) w[i] = 1 / (error * session.largest_[kind(i)]);
+  for (std::size_t i = 0; i < 2 * n; ++i) w[i] = 1 / (error * stepper.largest_[kind(i)]);
   return 0;
 }
 
 /// SUNDIALS is C: an exception must not cross it. It is kept and thrown again when IDA has returned.
 template <class F>
-int IdaSession::guarded(F&& work) {
+int IdaStepper::guarded(F&& work) {
   try {
     work();
     return 0;
@@ -188,72 +204,74 @@ int IdaSession::guarded(F&& work) {
   }
 }
 
-int IdaSession::residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self) {
-  auto& session = *static_cast<IdaSession*>(self);
-  const bool with_tangent = std::exchange(session.tangent_follows_, false);
-  return session.guarded([&] {
-    session.problem_.residual(t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp), N_VGetArrayPointer(f), with_tangent);
+int IdaStepper::residual(sunrealtype t, N_Vector y, N_Vector yp, N_Vector f, void* self) {
+  auto& stepper = *static_cast<IdaStepper*>(self);
+  const bool with_tangent = std::exchange(stepper.tangent_follows_, false);
+  return stepper.guarded([&] {
+    stepper.problem_.residual(t, N_VGetArrayPointer(y), N_VGetArrayPointer(yp), N_VGetArrayPointer(f), with_tangent);
   });
 }
 
-int IdaSession::refresh(realtype, realtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector, N_Vector,
+int IdaStepper::refresh(sunrealtype, sunrealtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector, N_Vector,
                         N_Vector) {
-  auto& session = *static_cast<IdaSession*>(self);
-  return session.guarded([&] { session.problem_.refresh(cj); });
+  auto& stepper = *static_cast<IdaStepper*>(self);
+  return stepper.guarded([&] { stepper.problem_.refresh(cj); });
 }
 
-int IdaSession::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype) {
-  auto& session = *static_cast<IdaSession*>(solver->content);
-  return session.guarded([&] {
+int IdaStepper::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
+  auto& stepper = *static_cast<IdaStepper*>(solver->content);
+  return stepper.guarded([&] {
     int iteration = 0;
-    SUNNonlinSolGetCurIter(session.nonlinear_.get(), &iteration);
-    realtype cj = 0;
-    IDAGetCurrentCj(session.ida_.get(), &cj);
-    const bool stale = std::abs(cj / session.problem_.factored_cj() - 1) > 0.01;
-    if (iteration >= session.patience_ || stale) session.problem_.refresh(cj);
-    session.problem_.solve(N_VGetArrayPointer(b), N_VGetArrayPointer(x));
+    SUNNonlinSolGetCurIter(stepper.nonlinear_.get(), &iteration);
+    sunrealtype cj = 0;
+    IDAGetCurrentCj(stepper.ida_.get(), &cj);
+    const bool stale = std::abs(cj / stepper.problem_.factored_cj() - 1) > 0.01;
+    if (iteration >= stepper.patience_ || stale) stepper.problem_.refresh(cj);
+    stepper.problem_.solve(N_VGetArrayPointer(b), N_VGetArrayPointer(x));
   });
 }
 
-int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector correction, realtype, N_Vector,
+int IdaStepper::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector correction, sunrealtype, N_Vector,
                               void* self) {
-  auto& session = *static_cast<IdaSession*>(self);
+  auto& stepper = *static_cast<IdaStepper*>(self);
   int iteration = 0;
   SUNNonlinSolGetCurIter(solver, &iteration);
-  switch (session.test_.judge(iteration, N_VGetArrayPointer(correction))) {
+  switch (stepper.test_.judge(iteration, N_VGetArrayPointer(correction))) {
     case Verdict::arrived:
-      session.patience_ = old_factors_serve(iteration + 1);
-      return SUN_NLS_SUCCESS;
+      stepper.patience_ = old_factors_serve(iteration + 1);
+      return sundials::converged;
     case Verdict::on_the_way:
-      session.tangent_follows_ = iteration + 1 >= session.patience_;
+      stepper.tangent_follows_ = iteration + 1 >= stepper.patience_;
       return SUN_NLS_CONTINUE;
     default:
       return SUN_NLS_CONV_RECVR;
   }
 }
 
-bool IdaSession::step(double stop_time) {
-  realtype reached = time_;
-  check(IDASetStopTime(ida_.get(), stop_time), "IDASetStopTime");
+/// y and y' of one step further.
+bool IdaStepper::advance(double stop) {
+  sunrealtype reached = time_;
+  check(IDASetStopTime(ida_.get(), stop), "IDASetStopTime");
   const int flag = IDASolve(ida_.get(), options_.end_time, &reached, y_.get(), yp_.get(), IDA_ONE_STEP);
   if (exception_) std::rethrow_exception(exception_);
   time_ = reached;
   return flag >= 0;
 }
 
-double IdaSession::last_step() const {
-  realtype h = 0;
-  IDAGetLastStep(ida_.get(), &h);
-  return h;
+bool IdaStepper::step(double stop) {
+  if (!advance(stop)) return false;
+  IDAGetLastStep(ida_.get(), &length_);
+  read_state();
+  return true;
 }
 
-int IdaSession::last_order() const {
-  int order = 0;
-  IDAGetLastOrder(ida_.get(), &order);
-  return order;
+StepTaken IdaStepper::last() const {
+  StepTaken taken{.time = time_, .length = length_, .order = 0};
+  if (length_ > 0) IDAGetLastOrder(ida_.get(), &taken.order);
+  return taken;
 }
 
-std::size_t IdaSession::rejected_steps() const {
+std::size_t IdaStepper::rejected_steps() const {
   long failures = 0;
   long nonlinear = 0;
   IDAGetNumErrTestFails(ida_.get(), &failures);
@@ -261,19 +279,23 @@ std::size_t IdaSession::rejected_steps() const {
   return rejected_before_ + static_cast<std::size_t>(failures + nonlinear);
 }
 
-std::size_t IdaSession::newton_iterations() const {
+std::size_t IdaStepper::newton_iterations() const {
   long iterations = 0;
   IDAGetNumNonlinSolvIters(ida_.get(), &iterations);
   return iterations_before_ + static_cast<std::size_t>(iterations);
 }
 
-std::string IdaSession::failure() const {
-  realtype h = 0;
+StepFailure IdaStepper::failure() const {
+  sunrealtype h = 0;
   IDAGetCurrentStep(ida_.get(), &h);
-  return fmt::format(
-      "the step at t = {:.6g} s did not converge, even cut to {:.3g} s (order {}, {} steps cut in all); largest last "
-      "corrections: {}; try more [integrator] steps_per_cycle",
-      time_, h, last_order(), rejected_steps(), test_.worst_unknowns(system_.model()));
+  int order = 0;
+  IDAGetLastOrder(ida_.get(), &order);
+  return {.length = h, .order = order, .corrections = test_.worst_unknowns(system_.model())};
+}
+
+std::unique_ptr<Stepper> make_stepper(const Ida&, system::System& system, const InitialMotion& initial,
+                                      const IntegratorOptions& options) {
+  return std::make_unique<IdaStepper>(system, initial, options);
 }
 
 }  // namespace strandyn::solver

@@ -1,19 +1,14 @@
 #pragma once
 /// \file The one layer over SUNDIALS: owns every handle, catches exceptions at the C boundary, reads the counters.
 
-#include <ida/ida.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_linearsolver.h>
-#include <sundials/sundials_matrix.h>
-#include <sundials/sundials_nonlinearsolver.h>
-
 #include <exception>
 #include <memory>
 #include <string>
 
 #include "chain_problem.hpp"
 #include "correction_test.hpp"
-#include "strandyn/solver/time/ida.hpp"
+#include "stepper.hpp"
+#include "sundials_compat.hpp"
 
 namespace strandyn::solver {
 
@@ -41,40 +36,39 @@ template <class Handle, class Deleter>
 using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Deleter>;
 
 /// An IDA integrator over a ChainProblem, at order 2 with steps up to a bound.
-class IdaSession {
+class IdaStepper final : public Stepper {
  public:
-  IdaSession(system::System& system, const InitialMotion& initial, const IntegratorOptions& options);
-  IdaSession(const IdaSession&) = delete;
-  IdaSession& operator=(const IdaSession&) = delete;
+  IdaStepper(system::System& system, const InitialMotion& initial, const IntegratorOptions& options);
+  IdaStepper(const IdaStepper&) = delete;
+  IdaStepper& operator=(const IdaStepper&) = delete;
 
-  /// Takes one step, not beyond `stop_time`. False where IDA gave up; `failure()` then says why.
-  bool step(double stop_time);
-  /// Forgets all older steps and begins anew from here.
-  void restart(const system::Vector& u, const system::Vector& v);
-  /// Between two steps. A session that reads must be new.
-  void archive(Archive& a);
+  bool step(double stop) override;
+  StepTaken last() const override;
+  const system::Vector& u() const override { return u_; }
+  const system::Vector& v() const override { return v_; }
+  const system::Vector& a() const override { return a_; }
+  /// A multistep formula starts anew at a corner: its older steps lie on another line.
+  void restart() override;
+  bool shorten_rotations() override;
+  void archive(Archive& a) override;
 
-  double time() const { return time_; }
-  double last_step() const;
-  int last_order() const;
-  std::size_t rejected_steps() const;
-  std::size_t newton_iterations() const;
-  const double* u() const { return N_VGetArrayPointer(y_.get()); }
-  const double* v() const { return u() + problem_.unknowns(); }
-  const double* a() const { return N_VGetArrayPointer(yp_.get()) + problem_.unknowns(); }
-  std::string failure() const;
+  StepFailure failure() const override;
+  std::size_t rejected_steps() const override;
+  std::size_t newton_iterations() const override;
 
  private:
   // What SUNDIALS calls. `self` is this object.
-  static int residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self);
-  static int refresh(realtype t, realtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self, N_Vector,
+  static int residual(sunrealtype t, N_Vector y, N_Vector yp, N_Vector f, void* self);
+  static int refresh(sunrealtype t, sunrealtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self, N_Vector,
                      N_Vector, N_Vector);
   static int weights(N_Vector y, N_Vector weight, void* self);
-  static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype);
-  static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, realtype, N_Vector, void* self);
+  static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype);
+  static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, sunrealtype, N_Vector, void* self);
   void make_linear_solver();
   void begin_anew();
-  void set_state(const system::Vector& u, const system::Vector& v);
+  void set_state();
+  void read_state();
+  bool advance(double stop);
   template <class F>
   int guarded(F&& work);
 
@@ -88,6 +82,8 @@ class IdaSession {
   Owned<SUNNonlinearSolver, FreeNonlinearSolver> nonlinear_;
   std::unique_ptr<void, FreeIda> ida_;
   double time_ = 0;
+  double length_ = 0;  // [s] of the last step; 0 before the first
+  system::Vector u_, v_, a_;
   system::Vector start_;             // initial u: what error control measures motion from
   std::array<double, 4> largest_{};  // motion so far: translation, rotation, and their rates
   CorrectionTest test_;
