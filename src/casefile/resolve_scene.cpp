@@ -9,10 +9,6 @@
 namespace strandyn::casefile {
 namespace {
 
-bool is_strand_law(Law law) {
-  return law != Law::elastic && law != Law::multilinear;
-}
-
 bool needs_span(AnalysisType type) {
   return type != AnalysisType::section && type != AnalysisType::axial_torsion && type != AnalysisType::self_damping;
 }
@@ -24,7 +20,7 @@ bool is_dynamic(AnalysisType type) {
 
 void check_tables(const Scene& scene) {
   const std::string type = fmt::format("analysis.type = \"{}\"", name_of(scene.analysis.type));
-  if (!scene.conductor && is_strand_law(scene.section.law)) {
+  if (!scene.conductor && needs_strand(scene.section.law)) {
     refuse(scene.source, "conductor",
            fmt::format("is missing, and section.law = \"{}\" needs one", name_of(scene.section.law)),
            "give [conductor] with a catalogue name or [[conductor.layer]] tables, or the law \"elastic\"");
@@ -105,11 +101,11 @@ void check_span(const Scene& scene) {
   check_what_is_left_out(scene);
   if ((is_dynamic(scene.analysis.type) || span.gravity) && !mass_per_length(scene)) {
     const char* path =
-        scene.conductor && is_strand_law(scene.section.law) ? "conductor.mass_kg_per_m" : "section.mass_kg_per_m";
+        scene.conductor && needs_strand(scene.section.law) ? "conductor.mass_kg_per_m" : "section.mass_kg_per_m";
     refuse(scene.source, path, "is missing, and the span needs a mass",
            "give the mass per length in kilograms per metre");
   }
-  if (!is_strand_law(scene.section.law) && span.dimension == Dimension::spatial && span.torsion && !scene.section.GJ) {
+  if (!needs_strand(scene.section.law) && span.dimension == Dimension::spatial && span.torsion && !scene.section.GJ) {
     refuse(scene.source, "section.GJ_N_m2", "is missing, and the span twists",
            "give the torsional stiffness in N m^2, or span.torsion = false");
   }
@@ -139,7 +135,7 @@ void check_static(const Scene& scene) {
   }
   if (scene.static_.control == Control::displacement) check_first_force(scene, "static.control");
   if (scene.analysis.static_.slip_map_loads.empty()) return;
-  if (!is_strand_law(scene.section.law)) {
+  if (!needs_strand(scene.section.law)) {
     refuse(scene.source, "analysis.slip_map_loads_N",
            fmt::format("asks for wires, and section.law = \"{}\" has none", name_of(scene.section.law)),
            "remove it, or choose a law of strands such as \"return-map\"");

@@ -74,9 +74,9 @@ PointRows rows_of(const History& history, std::size_t point, std::size_t rows_of
 
 }  // namespace
 
-WireState wire_state(const SpatialReturnMap& law, const History& history, std::size_t point) {
+WireState SpatialReturnMap::wires(const History& history, const Field&, std::size_t point) const {
   using namespace spatial_kernel;
-  const SpatialCoefficients& c = law.coefficients();
+  const SpatialCoefficients& c = c_;
   const PointRows row = rows_of(history, point, rows_of_block(c));
   const double d2 = row[committed_chi2] - row[reference_chi2];
   const double d3 = row[committed_chi3] - row[reference_chi3];
@@ -100,8 +100,10 @@ WireState wire_state(const SpatialReturnMap& law, const History& history, std::s
   return state;
 }
 
-WireState wire_state(const PlanarReturnMap& law, const History& history, std::size_t point, double eps) {
-  const PlanarCoefficients& c = law.coefficients();
+/// The planar law commits no axial strain of its own. The second half of the turn mirrors the first.
+WireState PlanarReturnMap::wires(const History& history, const Field& committed_strains, std::size_t point) const {
+  const PlanarCoefficients& c = c_;
+  const double eps = committed_strains[Component::axial][point];
   const PointRows row = rows_of(history, point, kernel::rows_of_block(c));
   const double d = row[kernel::committed_chi] - row[kernel::reference_chi];
   const std::size_t cells = c.cosine.size();

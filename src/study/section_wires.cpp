@@ -4,7 +4,7 @@
 
 #include "section_parts.hpp"
 #include "strandyn/exact/papailiou.hpp"
-#include "strandyn/section/wire_state.hpp"
+#include "strandyn/section/spatial_return_map.hpp"
 
 namespace strandyn::study {
 
@@ -37,7 +37,7 @@ json layer_json(const section::LayerState& layer, double axial_force) {
 void list_wires(const Scene& scene, CaseResult& result) {
   std::vector<double> curvatures = scene.analysis.section.wires_at;
   if (curvatures.empty()) return;
-  if (scene.section.law != casefile::Law::return_map) {
+  if (!build::has_wires(scene.section.law)) {
     refuse(scene.source, "analysis.wires_at_per_m", "this law knows no wires", "use law = \"return-map\"");
   }
   std::sort(curvatures.begin(), curvatures.end());
@@ -71,7 +71,7 @@ void list_wires(const Scene& scene, CaseResult& result) {
       law.commit(memory, strains, energy);
     }
     law.respond(memory, strains, stresses, nullptr);
-    const section::WireState wires = section::wire_state(law, memory, 0);
+    const section::WireState wires = law.wires(memory, strains, 0);
     json entry = {{"curvature_per_m", curvature}, {"moment_N_m", stresses[Component::bending2][0]}};
     entry["layers"] = json::array();
     for (std::size_t j = 0; j < wires.layers.size(); ++j) {

@@ -14,20 +14,15 @@ SlipMap::SlipMap(const casefile::Scene& scene, const SpanAtRest& span, std::size
       point_(node > 0 ? node * beam::gauss_points - 1 : 0),
       table_({"load_N", "layer", "theta_rad", "force_N", "gradient_N_per_m", "limit_N_per_m", "slips"}) {
   std::sort(wanted_.begin(), wanted_.end());
-  if (!wanted_.empty() && scene.section.law != casefile::Law::return_map) {
+  if (!wanted_.empty() && !build::has_wires(scene.section.law)) {
     refuse(scene.source, "analysis.slip_map_loads_N", "this law knows no wires", "use law = \"return-map\"");
   }
 }
 
 void SlipMap::watch(double load) {
   for (; next_ < wanted_.size() && load >= wanted_[next_] * (1 - 1e-9); ++next_) {
-    const section::Law* law = span_.built.model.law.get();
-    const section::History& history = span_.system.history();
-    const auto* planar = dynamic_cast<const section::PlanarReturnMap*>(law);
     const section::WireState wires =
-        planar ? section::wire_state(*planar, history, point_,
-                                     span_.system.committed_strains()[section::Component::axial][point_])
-               : section::wire_state(dynamic_cast<const section::SpatialReturnMap&>(*law), history, point_);
+        span_.built.model.law->wires(span_.system.history(), span_.system.committed_strains(), point_);
     json layers = json::array();
     for (std::size_t j = 0; j < wires.layers.size(); ++j) {
       const section::LayerState& layer = wires.layers[j];

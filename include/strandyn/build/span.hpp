@@ -22,6 +22,9 @@ struct SectionNumbers {
 };
 SectionNumbers section_numbers(const casefile::Scene& scene);
 
+/// Whether the wires of such a law can be looked at (section::Law::wires).
+bool has_wires(casefile::Law law);
+
 /// The law of the scene; `strand`, where given, stands for the scene's own (a variant of it).
 std::shared_ptr<const section::Law> build_law(const casefile::Scene& scene, section::Dimension dimension,
                                               const conductor::Strand* strand = nullptr);

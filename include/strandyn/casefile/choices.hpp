@@ -110,6 +110,11 @@ inline constexpr std::array choices<BalancedBy>{
     Named{BalancedBy::quadrature, "quadrature"}, Named{BalancedBy::foti_2018, "foti-2018"},
     Named{BalancedBy::fit, "fit"}, Named{BalancedBy::published, "published"}};
 
+/// Whether a law is made from the wires of a conductor; the others bring constants of their own.
+constexpr bool needs_strand(Law law) {
+  return law != Law::elastic && law != Law::multilinear;
+}
+
 /// The word of a value, as the case file spells it.
 template <class E>
 constexpr std::string_view name_of(E value) {
