@@ -104,15 +104,15 @@ WireState SpatialReturnMap::wires(const History& history, const Field&, std::siz
 WireState PlanarReturnMap::wires(const History& history, const Field& committed_strains, std::size_t point) const {
   const PlanarCoefficients& c = c_;
   const double eps = committed_strains[Component::axial][point];
-  const PointRows row = rows_of(history, point, kernel::rows_of_block(c));
-  const double d = row[kernel::committed_chi] - row[kernel::reference_chi];
+  const PointRows row = rows_of(history, point, return_map_kernel::rows_of_block(c));
+  const double d = row[return_map_kernel::committed_chi] - row[return_map_kernel::reference_chi];
   const std::size_t cells = c.cosine.size();
   WireState state;
   state.theta = midpoints(4 * cells);
   double f_int = 0;
   for (std::size_t j = 0; j < c.layers.size(); ++j) {
     const PlanarCoefficients::Layer& layer = c.layers[j];
-    const std::size_t first = kernel::scalar_rows + j * 2 * cells;
+    const std::size_t first = return_map_kernel::scalar_rows + j * 2 * cells;
     std::vector<double> q(4 * cells);
     for (std::size_t i = 0; i < cells; ++i) {
       const double stick = layer.k * c.cosine[i] * d;

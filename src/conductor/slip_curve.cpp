@@ -1,9 +1,8 @@
-// The virgin curves of a contact and the chains of springs that stand for them.
+#include "strandyn/conductor/slip_curve.hpp"
+
 #include <cmath>
 
-#include "strandyn/section/compliant.hpp"
-
-namespace strandyn::section {
+namespace strandyn::conductor {
 
 namespace {
 
@@ -94,4 +93,4 @@ SpringChain spring_chain(const SlipCurve& curve, const ChainPlan& plan) {
   return chain;
 }
 
-}  // namespace strandyn::section
+}  // namespace strandyn::conductor
