@@ -1,4 +1,5 @@
-#include "strandyn/build/span.hpp"
+#include "strandyn/build/section_law.hpp"
+
 #include "strandyn/conductor/constants.hpp"
 #include "strandyn/section/compliant.hpp"
 #include "strandyn/section/linear_law.hpp"

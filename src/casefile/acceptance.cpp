@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+#include "strandyn/results/json.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -146,7 +149,8 @@ bool holds(const Criterion& c, const Scalar& value) {
 
 }  // namespace
 
-std::vector<Verdict> judge(const Acceptance& acceptance, const ordered_json& summary, int exit_code) {
+std::vector<Verdict> judge(const Acceptance& acceptance, const results::Value& tree, int exit_code) {
+  const ordered_json summary = ordered_json::parse(results::to_text(tree));
   std::vector<Verdict> verdicts;
   for (const Criterion& criterion : acceptance.criteria) {
     Verdict& verdict = verdicts.emplace_back();

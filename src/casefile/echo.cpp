@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+#include "strandyn/results/json.hpp"
+
 #include <initializer_list>
 #include <string>
 
@@ -118,9 +121,9 @@ class Echo {
 
 }  // namespace
 
-ordered_json case_as_run(const Scene& scene) {
+results::Value case_as_run(const Scene& scene) {
   Scene copy = scene;  // the declarations of the keys bind to what a reader may fill
-  return Echo::write(copy);
+  return results::from_text(Echo::write(copy).dump(), "");
 }
 
 }  // namespace strandyn::casefile

@@ -22,7 +22,7 @@ void keys(V& v, DampingAt& a) {
   v.number("tension_rts", a.tension_rts,
            {.help = "the tension as a part of the rated strength", .above = 0, .at_most = 1});
   v.number("tension_kN", a.tension, {.help = "the tension", .unit = units::kN, .above = 0});
-  v.choice("road", a.road, {.help = "how the point is computed (as the others unless given)"});
+  v.choice("road", a.method, {.help = "how the point is computed (as the others unless given)"});
 }
 
 template <class V>
@@ -98,7 +98,7 @@ void keys(V& v, SelfDampingAnalysis& a) {
   v.numbers("tensions_rts", a.tensions_rts,
             {.help = "tensions as parts of the rated strength, one or a list", .above = 0, .at_most = 1});
   v.numbers("tensions_kN", a.tensions, {.help = "tensions, one or a list", .unit = units::kN, .above = 0});
-  v.choice("road", a.road, {.help = "how a point is computed"});
+  v.choice("road", a.method, {.help = "how a point is computed"});
   v.choice("mode_shape", a.mode_shape,
            {.help = "the shape that the road \"quadrature\" goes over: the sine of a taut string, or the mode of the "
                     "span with its clamped ends"});

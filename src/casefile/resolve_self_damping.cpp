@@ -60,8 +60,8 @@ void check_grid(const Scene& scene) {
 
 void check_roads(const Scene& scene) {
   const SelfDampingAnalysis& a = scene.analysis.self_damping;
-  const bool on_span = (a.mode_shape == ModeShape::clamped && a.takes(DampingRoad::quadrature)) ||
-                       a.takes(DampingRoad::periodic) || a.takes(DampingRoad::transient);
+  const bool on_span = (a.mode_shape == ModeShape::clamped && a.takes(DampingMethod::quadrature)) ||
+                       a.takes(DampingMethod::periodic) || a.takes(DampingMethod::transient);
   if ((on_span || a.names_modes()) && !(scene.span && scene.span->length)) {
     refuse(scene.source, "span.length_m",
            fmt::format("is missing, and {} needs it", on_span ? "the road of a point" : "the frequency of a mode"),
@@ -76,7 +76,7 @@ void check_roads(const Scene& scene) {
     need_rated_strength(scene, "analysis.foti_2018.chi_0_at_rated_strength_per_m");
   }
   const bool simplified =
-      a.takes(DampingRoad::foti_2018) || std::ranges::any_of(a.energy_balances, [](const EnergyBalanceKeys& balance) {
+      a.takes(DampingMethod::foti_2018) || std::ranges::any_of(a.energy_balances, [](const EnergyBalanceKeys& balance) {
         return balance.self_damping == BalancedBy::foti_2018;
       });
   const bool given = a.simplified.EI && a.simplified.chi_0_at_rated_strength;

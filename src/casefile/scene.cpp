@@ -36,9 +36,9 @@ bool SelfDampingAnalysis::names_modes() const {
   return !modes.empty() || std::ranges::any_of(at, [](const DampingAt& point) { return point.mode.has_value(); });
 }
 
-bool SelfDampingAnalysis::takes(DampingRoad wanted) const {
-  if (has_grid() && road == wanted) return true;
-  return std::ranges::any_of(at, [&](const DampingAt& point) { return point.road.value_or(road) == wanted; });
+bool SelfDampingAnalysis::takes(DampingMethod wanted) const {
+  if (has_grid() && method == wanted) return true;
+  return std::ranges::any_of(at, [&](const DampingAt& point) { return point.method.value_or(method) == wanted; });
 }
 
 std::optional<std::size_t> first_static_force(const Scene& scene) {

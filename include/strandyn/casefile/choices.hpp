@@ -24,7 +24,7 @@ enum class StepRule { fixed, automatic, adaptive };
 enum class Twist { held, free };
 enum class Until { steady };
 enum class AnalysisType { section, axial_torsion, static_, modes, decay, forced, transient, sweep, self_damping };
-enum class DampingRoad { quadrature, periodic, transient, foti_2018 };
+enum class DampingMethod { quadrature, periodic, transient, foti_2018 };
 enum class ModeShape { sine, clamped };
 enum class BenchStart { mode, rest };
 enum class WindCurve { cigre, diana_falco, brika_laneville };
@@ -94,9 +94,9 @@ inline constexpr std::array choices<AnalysisType>{Named{AnalysisType::section, "
                                                   Named{AnalysisType::sweep, "sweep"},
                                                   Named{AnalysisType::self_damping, "self-damping"}};
 template <>
-inline constexpr std::array choices<DampingRoad>{
-    Named{DampingRoad::quadrature, "quadrature"}, Named{DampingRoad::periodic, "periodic"},
-    Named{DampingRoad::transient, "transient"}, Named{DampingRoad::foti_2018, "foti-2018"}};
+inline constexpr std::array choices<DampingMethod>{
+    Named{DampingMethod::quadrature, "quadrature"}, Named{DampingMethod::periodic, "periodic"},
+    Named{DampingMethod::transient, "transient"}, Named{DampingMethod::foti_2018, "foti-2018"}};
 template <>
 inline constexpr std::array choices<ModeShape>{Named{ModeShape::sine, "sine"}, Named{ModeShape::clamped, "clamped"}};
 template <>

@@ -250,7 +250,7 @@ struct DampingAt {
   std::optional<double> antinode_velocity;        ///< [m/s]
   std::optional<double> tension_rts;              ///< [-] this or
   std::optional<double> tension;                  ///< [N]
-  std::optional<DampingRoad> road;                ///< the study's unless given
+  std::optional<DampingMethod> method;            ///< the study's unless given
 };
 
 /// [analysis.foti_2018]: the numbers of the simplified loss; the strand's own where they are not given.
@@ -287,7 +287,7 @@ struct SelfDampingAnalysis {
   std::vector<double> antinode_velocities;       ///< [m/s]
   std::vector<double> tensions_rts;              ///< [-] this or
   std::vector<double> tensions;                  ///< [N]
-  DampingRoad road = DampingRoad::quadrature;
+  DampingMethod method = DampingMethod::quadrature;
   ModeShape mode_shape = ModeShape::sine;
   std::vector<DampingAt> at;
   std::vector<std::array<double, 2>> bands;  ///< [-] of amplitude over diameter
@@ -298,7 +298,7 @@ struct SelfDampingAnalysis {
 
   bool has_grid() const { return !frequencies.empty() || !modes.empty(); }
   bool names_modes() const;  ///< of the grid or of a single point
-  bool takes(DampingRoad road) const;
+  bool takes(DampingMethod method) const;
 };
 
 /// Only the table of the chosen type is read.
@@ -330,6 +330,19 @@ struct Scene {
   Analysis analysis;
   Acceptance accept;
   Source source;
+
+  template <class T>
+  const T& as() const {
+    if constexpr (std::is_same_v<T, SectionAnalysis>) return analysis.section;
+    if constexpr (std::is_same_v<T, AxialTorsionAnalysis>) return analysis.axial_torsion;
+    if constexpr (std::is_same_v<T, StaticAnalysis>) return analysis.static_;
+    if constexpr (std::is_same_v<T, ModesAnalysis>) return analysis.modes;
+    if constexpr (std::is_same_v<T, DecayAnalysis>) return analysis.decay;
+    if constexpr (std::is_same_v<T, ForcedAnalysis>) return analysis.forced;
+    if constexpr (std::is_same_v<T, TransientAnalysis>) return analysis.transient;
+    if constexpr (std::is_same_v<T, SweepAnalysis>) return analysis.sweep;
+    if constexpr (std::is_same_v<T, SelfDampingAnalysis>) return analysis.self_damping;
+  }
 };
 
 /// [N] tension of the span, given as such or by rated strength; empty where an unstressed length sets it.
