@@ -7,16 +7,10 @@ std::string_view page_style() {
   --paper: #fbfbfa; --card: #ffffff; --ink: #1b1f24; --muted: #616a75; --line: #e3e5e8; --accent: #1f6fc4;
   --good: #1a7f4b; --good-paper: #e4f4ea; --warn: #8a5a00; --warn-paper: #fff6e0; --warn-line: #e8b94a;
 }
-@media (prefers-color-scheme: dark) {
+@media screen and (prefers-color-scheme: dark) {
   :root {
     --paper: #121518; --card: #191d21; --ink: #e6e8eb; --muted: #98a1ac; --line: #2c3238; --accent: #6cb0f5;
     --good: #6fd39b; --good-paper: #16301f; --warn: #f0c463; --warn-paper: #2a2314; --warn-line: #8a6a1f;
-  }
-}
-@media print {
-  :root {
-    --paper: #ffffff; --card: #ffffff; --ink: #000000; --muted: #4a4f55; --line: #c9ccd0; --accent: #1f6fc4;
-    --good: #1a7f4b; --good-paper: #ffffff; --warn: #6b4600; --warn-paper: #ffffff; --warn-line: #b98a1e;
   }
 }
 * { box-sizing: border-box; }
