@@ -9,7 +9,7 @@
 #include "line_names.hpp"
 #include "strandyn/core/error.hpp"
 #include "strandyn/results/label.hpp"
-#include "svg_scale.hpp"
+#include "svg_parts.hpp"
 
 namespace strandyn::report {
 namespace {
@@ -225,11 +225,10 @@ void add_lines(const Figure& figure, const Table& table, const std::vector<std::
   }
   settle_axes(plot);
   // The area below a line that stands alone, and below what friction takes.
+  const bool with_areas = figure.kind == "line" && !plot.y.log && plot.x.tight;
   for (Series& line : plot.series) {
-    const bool alone = plot.series.size() == 1;
-    const bool friction = groups.size() == 1 && line.colour == Colour::orange && line.custom_colour.empty();
-    line.filled = figure.kind == "line" && (alone || friction) && plot.y.from_zero && !plot.y.log &&
-                  std::ranges::is_sorted(line.x);
+    const bool friction = line.colour == Colour::orange && line.custom_colour.empty();
+    line.filled = with_areas && (plot.series.size() == 1 ? plot.y.from_zero : friction);
   }
 }
 

@@ -29,7 +29,7 @@ bool is_whole(const Value& value) {
   });
 }
 
-/// A scalar, or a list of them, as it stands in the file; a longer list by its ends, deeper ones by their size.
+/// A scalar, or a list of them, as it stands in the file; a long list by its beginning, deeper ones by their size.
 std::string as_in_file(const Value& value) {
   constexpr std::size_t most_entries = 12;
   if (value.is_null()) return "null";
@@ -39,10 +39,8 @@ std::string as_in_file(const Value& value) {
   if (is_list_of_objects(value)) return fmt::format("{} entries", value.entries().size());
   const auto& entries = value.entries();
   std::vector<std::string> parts;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (entries.size() <= most_entries || i < 3 || i + 3 >= entries.size()) parts.push_back(as_in_file(entries[i]));
-    if (entries.size() > most_entries && i == 3) parts.push_back(fmt::format("… ({} in all) …", entries.size()));
-  }
+  for (std::size_t i = 0; i < std::min(entries.size(), most_entries); ++i) parts.push_back(as_in_file(entries[i]));
+  if (entries.size() > most_entries) parts.push_back(fmt::format("… ({} in all)", entries.size()));
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 

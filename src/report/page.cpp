@@ -11,7 +11,6 @@
 #include "strandyn/report/figures.hpp"
 #include "strandyn/report/format.hpp"
 #include "strandyn/report/html.hpp"
-#include "strandyn/report/page_style.hpp"
 #include "strandyn/report/shown.hpp"
 #include "strandyn/report/svg_plot.hpp"
 #include "strandyn/results/folder.hpp"
@@ -128,7 +127,6 @@ std::string other_results(const RunFolder& run) {
 
 /// The case, one card per table of the case file.
 std::string the_case(const RunFolder& run) {
-  constexpr std::size_t most_rows = 50;
   const Wording wording{.as_in_file = true};
   std::string cards;
   Value general = Value::object();
@@ -137,7 +135,7 @@ std::string the_case(const RunFolder& run) {
   };
   for (const auto& [key, value] : run.the_case.members()) {
     if (is_list_of_objects(value)) {
-      add_card("[[" + key + "]]", html(table_of_objects(value, wording, most_rows)));
+      add_card("[[" + key + "]]", html(table_of_objects(value, wording, 50)));
     } else if (value.is_object()) {
       add_card("[" + key + "]", html_of_object(value, {.as_in_file = true, .path = key + "."}));
     } else if (key != "title") {

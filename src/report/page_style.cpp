@@ -1,4 +1,4 @@
-#include "strandyn/report/page_style.hpp"
+#include "strandyn/report/html.hpp"
 
 namespace strandyn::report {
 
@@ -29,8 +29,8 @@ h4 { margin: 14px 0 6px; font-size: 13.5px; font-weight: 600; }
 section { margin-top: 40px; }
 .facts { list-style: none; margin: 12px 0 0; padding: 0; display: flex; flex-wrap: wrap; color: var(--muted); }
 .facts li + li::before { content: "·"; margin: 0 9px; }
-.status { margin-left: 8px; padding: 1px 9px; border-radius: 99px; font-weight: 600; font-size: 12px; }
-.status { color: var(--warn); background: var(--warn-paper); }
+.status { margin-left: 8px; padding: 1px 9px; border-radius: 99px; font-weight: 600; font-size: 12px;
+  color: var(--warn); background: var(--warn-paper); }
 .status.good { color: var(--good); background: var(--good-paper); }
 .unit { color: var(--muted); font-weight: 400; }
 .note { margin: 8px 0 0; color: var(--muted); font-size: 13px; }
@@ -45,8 +45,7 @@ dl:not(.cards) > div {
 dl:not(.cards) dd { text-align: right; }
 .cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(165px, 1fr)); gap: 12px; }
 .cards > div, figure, .card { background: var(--card); border: 1px solid var(--line); border-radius: 10px; }
-.cards > div { display: flex; flex-direction: column; justify-content: space-between; }
-.cards > div { padding: 12px 14px 11px; break-inside: avoid; }
+.cards > div { display: flex; flex-direction: column; justify-content: space-between; padding: 12px 14px 11px; break-inside: avoid; }
 .cards dt { font-size: 13px; }
 .cards dd { margin-top: 2px; white-space: nowrap; font-size: 21px; line-height: 1.3; font-weight: 600; letter-spacing: -.01em; }
 .cards .unit { font-size: 14px; letter-spacing: 0; }
@@ -57,8 +56,7 @@ dl:not(.cards) dd { text-align: right; }
 figure { margin: 0; padding: 18px 20px 14px; break-inside: avoid; }
 figcaption { margin-top: 8px; color: var(--muted); font-size: 13px; line-height: 1.45; }
 .plot { display: block; width: 100%; height: auto; }
-.plot text { fill: var(--muted); font-family: inherit; }
-.plot .label { font-size: 12.5px; }
+.plot text { fill: var(--muted); font-family: inherit; font-size: 12.5px; }
 .plot .tick { font-size: 12px; font-variant-numeric: tabular-nums; }
 .plot .grid { stroke: var(--line); }
 .plot .axis { stroke: var(--muted); stroke-opacity: .65; }

@@ -72,14 +72,11 @@ std::string text_of(const std::vector<results::Highlight>& highlights) {
     name_width = std::max(name_width, shown_width(highlight.name));
     number_width = std::max(number_width, shown_width(quantity_of(highlight).number));
   }
-  const auto blanks = [](int width, const std::string& text) {
-    return std::string(static_cast<std::size_t>(width - shown_width(text)), ' ');
-  };
   std::string text;
   for (const results::Highlight& highlight : highlights) {
     const Quantity shown = quantity_of(highlight);
-    std::string line = highlight.name + blanks(name_width, highlight.name) + "  " + blanks(number_width, shown.number) +
-                       shown.number + " " + plain(shown.unit);
+    std::string line =
+        fmt::format("{:<{}}  {:>{}} {}", highlight.name, name_width, shown.number, number_width, plain(shown.unit));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }

@@ -1,10 +1,10 @@
-#include "svg_cells.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "svg_parts.hpp"
 
 namespace strandyn::report {
 namespace {
@@ -74,7 +74,8 @@ std::string colour_key(const Cells& cells, Point end) {
                     text_at({at - gap, end.y}, "label", "end",
                             fmt::format("{}{}: {}", cells.label, unit, typeset(range.low / prefix.factor, 3)));
   for (const std::string& colour : ramp(levels)) {
-    out += fmt::format("<path fill=\"{}\" d=\"M{} {}h{}v9h-{}Z\"/>\n", colour, px(at), px(end.y - 9), step, step);
+    out += fmt::format("<path fill=\"{}\" shape-rendering=\"crispEdges\" d=\"M{} {}h{}v9h-{}Z\"/>\n", colour, px(at),
+                       px(end.y - 9), step, step);
     at += step;
   }
   return out;

@@ -1,9 +1,9 @@
-#include "svg_pieces.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
+
+#include "svg_parts.hpp"
 
 namespace strandyn::report {
 namespace {

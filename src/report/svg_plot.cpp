@@ -7,9 +7,7 @@
 #include <string_view>
 
 #include "strandyn/report/format.hpp"
-#include "svg_cells.hpp"
-#include "svg_pieces.hpp"
-#include "svg_scale.hpp"
+#include "svg_parts.hpp"
 
 namespace strandyn::report {
 namespace {
@@ -182,7 +180,6 @@ std::string svg(const Plot& plot, SvgUse use) {
   x.place(left, right);
   y.place(bottom, top);
 
-  if (plot.cells) out += drawn(*plot.cells, plot, x, y, {left, top}, {right, bottom});
   for (std::size_t i = 0; i < x.ticks.at.size(); ++i) {
     const double at = x.of_shown(x.ticks.at[i]);
     if (!x.ticks.labels[i].empty()) out += line_between({at, top}, {at, bottom}, "grid");
@@ -198,6 +195,7 @@ std::string svg(const Plot& plot, SvgUse use) {
     out += line_between({left, at}, {right, at}, "grid");
     out += text_at({left - 9, at + 4}, "tick", "end", y.ticks.labels[i]);
   }
+  if (plot.cells) out += drawn(*plot.cells, plot, x, y, {left, top}, {right, bottom});
   out += line_between({left, bottom}, {right, bottom}, "axis");
   if (y.zero_inside()) out += line_between({left, y.of_shown(0)}, {right, y.of_shown(0)}, "axis");
   if (x.zero_inside()) out += line_between({x.of_shown(0), top}, {x.of_shown(0), bottom}, "axis");

@@ -1,11 +1,11 @@
-#include "svg_scale.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+
+#include "svg_parts.hpp"
 
 namespace strandyn::report {
 namespace {

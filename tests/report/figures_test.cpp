@@ -129,7 +129,7 @@ TEST_CASE("figures: a line that stands alone is named by its values, and filled 
   CHECK_FALSE(drawn.y.from_zero);
 }
 
-TEST_CASE("figures: parts of a ledger have colours by meaning; zero is drawn for friction and the integrator only") {
+TEST_CASE("figures: parts of a ledger have colours by meaning and zero is drawn for friction and the integrator only") {
   const Names columns = {"external_work_J", "friction_dissipation_J", "viscous_dissipation_J", "air_drag_J",
                          "numerical_dissipation_J"};
   const Plot drawn = plot(figure("cycle", columns), ledger());

@@ -1,5 +1,5 @@
 #pragma once
-/// \file Values as pieces of HTML: tables, and lists of names and values.
+/// \file Values as pieces of HTML: tables, and lists of names and values; the style sheet.
 
 #include <string>
 #include <string_view>
@@ -41,6 +41,9 @@ std::string html_of_object(const results::Value& object, const Wording& wording)
 
 /// `name` stands for entry `i`, counted from 1, of a list of numbers or words: a table with two columns.
 std::string html_of_list(std::string_view name, const results::Value& list, std::size_t most_rows);
+
+/// CSS for light, dark and paper.
+std::string_view page_style();
 
 bool is_list_of_objects(const results::Value& value);
 
