@@ -69,7 +69,7 @@ th, td { padding: 5px 0 5px 18px; text-align: right; white-space: nowrap; border
 th:first-child, td:first-child { padding-left: 0; }
 th { font-weight: 600; vertical-align: bottom; border-bottom-color: var(--muted); }
 th .unit { display: block; }
-.words { text-align: left; }
+.words { text-align: left; white-space: normal; }
 .cards-of-case { columns: 2; column-gap: 16px; margin-top: 16px; font-size: 13.5px; }
 .card { padding: 14px 18px; margin-bottom: 16px; break-inside: avoid; }
 .card dl > div:last-child { border-bottom: 0; }

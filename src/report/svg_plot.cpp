@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "strandyn/report/format.hpp"
 #include "svg_parts.hpp"
 
 namespace strandyn::report {
