@@ -157,14 +157,12 @@ HtmlTable table_of_objects(const Value& objects, const Wording& wording, std::si
       const Value* value = find(row, paths[k]);
       return value && !value->number() && !value->is_null();
     });
-    const std::string& unit = labels[k].unit;
+    const std::string unit = wording.as_in_file ? "" : labels[k].unit;
     const bool share = !wording.as_in_file && is_share(paths[k]);
-    const bool prefixed = !wording.as_in_file && takes_prefix(unit);
-    prefixes.push_back(share ? Prefix{0.01, ""} : prefixed ? prefix_for(largest[rank(k)]) : Prefix{});
+    prefixes.push_back(share ? Prefix{0.01, ""} : takes_prefix(unit) ? prefix_for(largest[rank(k)]) : Prefix{});
     table.columns.push_back({.header = wording.as_in_file ? paths[k] : labels[k].name,
                              .unit = share ? std::string("%") : std::string(prefixes[k].symbol) + unit,
                              .words = words});
-    if (wording.as_in_file) table.columns.back().unit.clear();
   }
   for (const std::size_t i : results::evenly_spaced(rows.size(), most_rows)) {
     auto& cells = table.rows.emplace_back();

@@ -33,11 +33,9 @@ std::string in_words(double value, const std::string& key, bool named, int digit
 
 /// One text per group, in as few digits as keep different values different.
 std::vector<std::string> column_of_words(const std::vector<double>& values, const std::string& key, bool named) {
-  constexpr int fewest_digits = 3;
-  constexpr int most_digits = 9;
   const std::size_t different = std::set(values.begin(), values.end()).size();
   std::vector<std::string> words;
-  for (int digits = fewest_digits; digits <= most_digits; ++digits) {
+  for (int digits = 3; digits <= 9; ++digits) {
     words.clear();
     for (const double value : values) words.push_back(in_words(value, key, named, digits));
     if (std::set(words.begin(), words.end()).size() == different) break;

@@ -34,8 +34,7 @@ section { margin-top: 40px; }
 .status.good { color: var(--good); background: var(--good-paper); }
 .unit { color: var(--muted); font-weight: 400; }
 .note { margin: 8px 0 0; color: var(--muted); font-size: 13px; }
-dl { margin: 0; }
-dt { color: var(--muted); }
+dl { margin: 0; } dt { color: var(--muted); }
 dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 section > dl:not(.cards) { columns: 2; column-gap: 48px; font-size: 14px; orphans: 1; widows: 1; }
 dl:not(.cards) > div {

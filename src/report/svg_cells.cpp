@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "strandyn/results/table.hpp"
 #include "svg_parts.hpp"
 
 namespace strandyn::report {
 namespace {
 
 constexpr std::size_t levels = 32;
+constexpr std::size_t most_cells = 150;  // along an axis: as many as can be told apart
 
 Range value_range(const Cells& cells) {
   const auto [low, high] = std::minmax_element(cells.value.begin(), cells.value.end());
@@ -23,12 +24,17 @@ struct Grid {
     std::erase_if(at, [&](double value) { return !is_shown(value, axis); });
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end()), at.end());
+    std::vector<double> kept;
+    for (const std::size_t i : results::evenly_spaced(at.size(), most_cells)) kept.push_back(at[i]);
+    at = kept;
     edges = {from};
     for (std::size_t i = 1; i < at.size(); ++i) edges.push_back((scale(at[i - 1]) + scale(at[i])) / 2);
     edges.push_back(to);
   }
-  std::size_t find(double value) const {
-    return static_cast<std::size_t>(std::lower_bound(at.begin(), at.end(), value) - at.begin());
+  /// The edges around a value; null where it is none of those that are drawn.
+  const double* find(double value) const {
+    const auto found = std::lower_bound(at.begin(), at.end(), value);
+    return found != at.end() && *found == value ? &edges[static_cast<std::size_t>(found - at.begin())] : nullptr;
   }
 
   std::vector<double> at;
@@ -44,11 +50,11 @@ std::string drawn(const Cells& cells, const Plot& plot, const Scale& x, const Sc
   const Range range = value_range(cells);
   std::vector<std::string> of_level(levels);
   for (std::size_t i = 0; i < cells.value.size(); ++i) {
-    if (!is_shown(cells.x[i], plot.x) || !is_shown(cells.y[i], plot.y)) continue;
+    const double* across = columns.find(cells.x[i]);
+    const double* up = rows.find(cells.y[i]);
+    if (!across || !up) continue;
     const double share = range.width() > 0 ? (cells.value[i] - range.low) / range.width() : 0;
     const auto level = std::min(static_cast<std::size_t>(share * levels), levels - 1);
-    const double* across = &columns.edges[columns.find(cells.x[i])];
-    const double* up = &rows.edges[rows.find(cells.y[i])];
     of_level[level] +=
         fmt::format("M{} {}H{}V{}H{}Z", px(across[0]), px(up[0]), px(across[1]), px(up[1]), px(across[0]));
   }

@@ -204,6 +204,16 @@ TEST_CASE("figures: a map has a cell per row and a key to its colours") {
   CHECK_FALSE(contains(text, "nan"));
 }
 
+TEST_CASE("figures: a map of more cells than can be told apart draws some of them") {
+  Table table({"x_m", "t_s", "force_N"});
+  for (int i = 0; i < 1000; ++i) {
+    for (int k = 0; k < 3; ++k) table.append(std::vector{0.1 * i, 1.0 * k, 1.0 * i});
+  }
+  auto f = figure("x_m", {"t_s", "force_N"});
+  f.kind = "map";
+  CHECK(count_of(svg(plot(f, table)), "H") < 2 * 3 * 200);
+}
+
 TEST_CASE("figures: of many lines some are named") {
   Table table({"mode", "x_m", "y"});
   for (int mode = 1; mode <= 30; ++mode) {
