@@ -4,10 +4,11 @@
 
 #include "interrupt.hpp"
 #include "strandyn/casefile/read.hpp"
-#include "strandyn/report/cycle_table.hpp"
 #include "strandyn/report/progress.hpp"
+#include "strandyn/report/shown.hpp"
 #include "strandyn/report/text_table.hpp"
 #include "strandyn/results/folder.hpp"
+#include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
 #include "verbs.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 void write_results(const std::filesystem::path& folder, const study::CaseResult& result) {
   for (const study::NamedTable& table : result.tables) results::write_csv(folder / table.file, table.table);
-  results::write_json(folder / "summary.json", result.summary);
+  results::write_json(folder / "summary.json", results::from_text(result.summary.dump(), ""));
 }
 
 std::string verdict_table(const std::vector<casefile::Verdict>& verdicts) {
@@ -25,6 +26,19 @@ std::string verdict_table(const std::vector<casefile::Verdict>& verdicts) {
   for (const casefile::Verdict& v : verdicts)
     table.add_row({v.path, v.found, v.wanted, v.passed ? "passed" : "FAILED"});
   return table.str();
+}
+
+/// The energy of each cycle, where there are cycles.
+std::string cycle_table(const std::vector<study::NamedTable>& tables) {
+  const results::ShownTable shown{
+      .title = "Energy of each cycle",
+      .table = "cycles.csv",
+      .columns = {"cycle", "t_s", "antinode_amplitude_m", "external_work_J", "viscous_dissipation_J",
+                  "friction_dissipation_J", "numerical_dissipation_J", "elements_slipping"}};
+  for (const study::NamedTable& table : tables) {
+    if (table.file == shown.table) return report::text_of(shown, table.table);
+  }
+  return {};
 }
 
 /// The figures that a reader looks for first.
@@ -88,7 +102,7 @@ ExitCode run(const RunArguments& arguments) {
   if (!result.ended_early) std::filesystem::remove(checkpoint, ignored);
 
   if (!arguments.quiet) {
-    if (result.summary.contains("cycles")) fmt::print(stderr, "\n{}\n", report::cycle_table(result.summary["cycles"]));
+    if (const std::string cycles = cycle_table(result.tables); !cycles.empty()) fmt::print(stderr, "\n{}\n", cycles);
     fmt::print(stderr, "{}", headline(result.summary));
     for (const auto& warning : result.summary["warnings"]) {
       fmt::print(stderr, "warning: {}\n", warning.get<std::string>());

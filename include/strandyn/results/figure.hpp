@@ -19,7 +19,7 @@ struct Figure {
   std::string kind = "line";   ///< line, band, map, section, motion
   std::string table;           ///< a file of the folder: "cycles.csv"
   std::string x;               ///< a column
-  std::vector<std::string> y;  ///< columns; a `band` has the low and the high one
+  std::vector<std::string> y;  ///< columns; of a `band` the low and the high one, of a `map` the one up and the colour
   std::vector<std::string> series = {};
   std::string x_scale = "linear";  ///< linear, log
   std::string y_scale = "linear";

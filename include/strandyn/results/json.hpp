@@ -2,6 +2,7 @@
 /// \file A tree of results as JSON text, and back.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
