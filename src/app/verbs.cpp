@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "strandyn/build/span.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/casefile/schema.hpp"
 #include "strandyn/conductor/catalogue.hpp"
 #include "strandyn/conductor/constants.hpp"
+#include "strandyn/report/outline.hpp"
 #include "strandyn/report/page.hpp"
 #include "strandyn/report/text_table.hpp"
+#include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
 
 namespace strandyn::app {
@@ -30,8 +31,9 @@ ExitCode check(const std::filesystem::path& file, const std::vector<std::string>
   return ExitCode::done;
 }
 
-ExitCode describe(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  fmt::print("{}\n", study::describe_case(casefile::read_scene(file, overrides)).dump(2));
+ExitCode describe(const RunArguments& arguments) {
+  const results::Value told = study::describe_case(casefile::read_scene(arguments.file, arguments.overrides));
+  fmt::print("{}\n", arguments.json ? results::to_text(told) : report::text_of(told));
   return ExitCode::done;
 }
 

@@ -16,6 +16,7 @@ struct RunArguments {
   bool json = false;
   bool quiet = false;
   bool resume = false;  ///< from the checkpoint in the results folder
+  bool report = false;  ///< make the page, too
 };
 
 struct VerifyArguments {
@@ -26,7 +27,7 @@ struct VerifyArguments {
 
 ExitCode run(const RunArguments& arguments);
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);
-ExitCode describe(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+ExitCode describe(const RunArguments& arguments);
 ExitCode conductors(const std::string& name);
 ExitCode schema();
 ExitCode verify(const VerifyArguments& arguments);

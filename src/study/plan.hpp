@@ -25,7 +25,7 @@ struct VibrationPlan {
   bool until_steady = false;  ///< then `cycles` is the most that will be run
   double step = 0;            ///< [s] its bound, where the integrator chooses steps by their error
   system::Vector velocity{};  ///< initial
-  system::Vector shape{};  ///< of the mode that is shaken, at an antinode of 1 m; empty where none is named
+  system::Vector shape{};     ///< of the mode that is shaken, at an antinode of 1 m; empty where none is named
   /// [-] what the integrator will take from a mode of this frequency; empty where it chooses its steps itself.
   std::optional<double> numerical_damping_ratio{};
   /// Where the program has chosen the step (`auto`): the physical damping it expects, and the share it aims at.

@@ -7,7 +7,7 @@
 
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/core/error.hpp"
-#include "strandyn/study/run_case.hpp"
+#include "support/run.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn;
@@ -32,7 +32,7 @@ casefile::Scene linear_bench(const std::string& tables, const std::vector<std::s
 }
 
 ordered_json only_point(const casefile::Scene& scene) {
-  const ordered_json points = study::run_case(scene).summary["points"];
+  const ordered_json points = test::run(scene).summary["points"];
   REQUIRE(points.size() == 1);
   return points[0];
 }
@@ -116,11 +116,11 @@ TEST_CASE("test bench: one that does not become steady says so in words") {
 
 TEST_CASE("test bench: what has no shaker of one frequency is refused") {
   const std::string force = "[[load]]\ntype = \"harmonic-force\"\nat_m = 1\namplitude_N = 1\nfrequency_Hz = 20\n";
-  CHECK_THROWS_WITH_AS(study::run_case(linear_bench(force + force)), doctest::Contains("is a second shaker"),
+  CHECK_THROWS_WITH_AS(test::run(linear_bench(force + force)), doctest::Contains("is a second shaker"),
                        InputError);
-  CHECK_THROWS_WITH_AS(study::run_case(linear_bench("[[load]]\ntype = \"harmonic-force\"\nper_length = true\n"
+  CHECK_THROWS_WITH_AS(test::run(linear_bench("[[load]]\ntype = \"harmonic-force\"\nper_length = true\n"
                                                     "amplitude_N = 1\nfrequency_Hz = 20\n")),
                        doctest::Contains("acts on the whole span"), InputError);
-  CHECK_THROWS_WITH_AS(study::run_case(linear_bench("", {"integrator.method=ida", "integrator.step=adaptive"})),
+  CHECK_THROWS_WITH_AS(test::run(linear_bench("", {"integrator.method=ida", "integrator.step=adaptive"})),
                        doctest::Contains("counts its cycles in whole steps"), InputError);
 }

@@ -1,14 +1,14 @@
-#include "strandyn/study/self_damping.hpp"
-
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <fstream>
 
 #include "results/scratch_folder.hpp"
-#include "self_damping_scene.hpp"
+#include "study/self_damping_scene.hpp"
 #include "strandyn/results/folder.hpp"
-#include "strandyn/study/run_case.hpp"
+#include "strandyn/self_damping/method.hpp"
+#include "support/run.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn;
@@ -31,7 +31,7 @@ std::string proportional_grid() {
 }
 
 ordered_json summary_of(const casefile::Scene& scene) {
-  return study::run_case(scene).summary;
+  return test::run(scene).summary;
 }
 
 const std::string small_grid =
@@ -132,19 +132,19 @@ TEST_CASE("first slip stands between an amplitude that loses nothing and one tha
 TEST_CASE("a study that was stopped goes on and ends with the same file") {
   const casefile::Scene scene = damping_scene("return-map", small_grid);
   const test::ScratchFolder whole, parted;
-  const auto reference = study::run_case(scene, {.stop = {}, .progress = {}, .folder = whole.path()});
+  const auto reference = test::run(scene, {.stop = {}, .progress = {}, .folder = whole.path()});
   REQUIRE(reference.exit_code == ExitCode::done);
 
   int asked = 0;
   const auto part =
-      study::run_case(scene, {.stop = [&] { return ++asked > 3; }, .progress = {}, .folder = parted.path()});
+      test::run(scene, {.stop = [&] { return ++asked > 3; }, .progress = {}, .folder = parted.path()});
   CHECK(part.exit_code == ExitCode::interrupted);
   CHECK(part.summary["points"].size() == 3);
   // Killed while it wrote: the last line is cut.
   std::ofstream(parted / "points.jsonl", std::ios::app) << "{\"point\":7,\"row\":{\"frequ";
 
   std::vector<std::string> told;
-  const auto rest = study::run_case(scene, {.stop = {},
+  const auto rest = test::run(scene, {.stop = {},
                                             .progress = [&](double, std::string_view what) { told.emplace_back(what); },
                                             .folder = parted.path()});
   CHECK(told.front() == "point 3 of 8");
@@ -159,7 +159,7 @@ TEST_CASE("the points of another case are not taken up and a finished study comp
   const auto first_word = [&](const casefile::Scene& scene, int points_until_stop) {
     std::string told;
     int asked = 0;
-    study::run_case(scene, {.stop = [&] { return ++asked > points_until_stop; },
+    test::run(scene, {.stop = [&] { return ++asked > points_until_stop; },
                             .progress =
                                 [&](double, std::string_view what) {
                                   if (told.empty()) told = what;
@@ -175,14 +175,18 @@ TEST_CASE("the points of another case are not taken up and a finished study comp
 
 TEST_CASE("a point that fails is a row that says why") {
   const casefile::Scene scene = damping_scene("return-map", small_grid);
-  const study::Road road = [](const study::Point&) -> study::PointResult {
-    throw ComputationError("no periodic state was found");
+  class Failing final : public self_damping::Method {
+    self_damping::PointResult at(const self_damping::Point&, const self_damping::Watch&) const override {
+      throw ComputationError("no periodic state was found");
+    }
+    self_damping::Expected expected(const std::vector<self_damping::Point>&) const override { return {}; }
   };
-  const auto row = study::compute_row(scene, road, {.frequency = 20, .antinode_amplitude = 0.01, .tension = 3e4});
+  const auto row = self_damping::compute_row(scene, Failing(),
+                                             {.frequency = 20, .antinode_amplitude = 0.01, .tension = 3e4}, {});
   REQUIRE(row);
-  CHECK((*row)["failed"] == "no periodic state was found");
-  CHECK((*row)["frequency_Hz"] == 20.0);
-  CHECK_FALSE(row->contains("self_damping_W_per_m"));
+  CHECK(row->failed == "no periodic state was found");
+  CHECK(row->frequency == 20.0);
+  CHECK_FALSE(row->has_numbers());
 }
 
 TEST_CASE("modes and velocities give the frequencies and amplitudes that they name") {
@@ -191,7 +195,7 @@ TEST_CASE("modes and velocities give the frequencies and amplitudes that they na
       "[analysis]\ntype = \"self-damping\"\nmodes = [4, 12]\nantinode_velocity_m_per_s = [0.1, 0.2]\ntensions_kN = "
       "25\n",
       "test.toml");
-  const auto points = study::self_damping_points(scene);
+  const auto points = self_damping::points_of(scene);
   REQUIRE(points.size() == 4);
   const double f12 = 12 * std::sqrt(25e3 / 1.981) / 60;  // n c/(2 L)
   check_close(points[3].frequency, f12, {.relative = 1e-12});
@@ -217,7 +221,7 @@ TEST_CASE("clamped ends add to what the span loses and the free span loses less 
 
 TEST_CASE("what a study lacks is named") {
   const auto message = [](const std::string& analysis) {
-    return test::message_of<InputError>([&] { study::run_case(damping_scene("return-map", analysis)); });
+    return test::message_of<InputError>([&] { test::run(damping_scene("return-map", analysis)); });
   };
   CHECK(message("tensions_rts = 0.2\namplitude_over_diameter = 0.1\n").find("frequencies are missing") !=
         std::string::npos);
