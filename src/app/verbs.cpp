@@ -26,7 +26,7 @@ casefile::Scene scene_of(std::string_view conductor) {
 
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const casefile::Scene scene = casefile::read_scene(file, overrides);
-  build::check_buildable(scene);
+  study::prepare(scene);
   fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::name_of(scene.analysis.type));
   return ExitCode::done;
 }
@@ -67,7 +67,7 @@ ExitCode conductors(const std::string& name) {
 }
 
 ExitCode schema() {
-  fmt::print("{}\n", casefile::case_schema().dump(2));
+  fmt::print("{}\n", casefile::case_schema());
   return ExitCode::done;
 }
 

@@ -70,6 +70,7 @@ struct Plain {
 /// A group of keys that exclude each other.
 struct OneOf {
   bool required = false;
+  bool false_counts = false;  ///< `key = false` gives the key; else it gives nothing, as `per_length = false`
 };
 
 /// "must be above 0", or nothing: the first demand that `x` (in the unit of the file) does not meet.

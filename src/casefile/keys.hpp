@@ -289,7 +289,7 @@ void keys(V& v, Analysis& a) {
 
 template <class V>
 void keys(V& v, Criterion& c) {
-  v.one_of({"expected", "below", "above"}, {.required = true});
+  v.one_of({"expected", "below", "above"}, {.required = true, .false_counts = true});
   v.scalar("expected", c.expected, {.help = "the expected value"});
   v.one_of({"relative", "absolute"}, {});
   v.number("relative", c.relative, {.help = "the deviation allowed, as a part of the expected value", .at_least = 0});

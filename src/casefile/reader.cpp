@@ -29,9 +29,9 @@ bool Reader::overridden(std::string_view key) const {
   return entry && entry->overridden;
 }
 
-bool Reader::given(const char* key) const {
+bool Reader::given(const char* key, const OneOf& spec) const {
   const toml::node* node = table_.get(key);
-  return node && node->value_exact<bool>() != false;
+  return node && (spec.false_counts || node->value_exact<bool>() != false);
 }
 
 const toml::node* Reader::take(const char* key, bool required, const std::string& remedy) {
@@ -82,7 +82,7 @@ void Reader::one_of(std::initializer_list<const char*> group, const OneOf& spec)
   if (mode_ != Mode::read) return;
   std::vector<std::string> present, from_override;
   for (const char* key : group) {
-    if (!given(key)) continue;
+    if (!given(key, spec)) continue;
     present.emplace_back(key);
     if (overridden(key)) from_override.emplace_back(key);
   }

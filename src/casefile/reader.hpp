@@ -174,8 +174,8 @@ class Reader {
 
   std::string path_of(std::string_view key) const;
   bool overridden(std::string_view key) const;
-  /// Whether the file or an override gives the key; `per_length = false` gives nothing.
-  bool given(const char* key) const;
+  /// Whether the file or an override gives the key.
+  bool given(const char* key, const OneOf& spec) const;
 
   /// The node to read for a key, or nothing; refuses the absence of a required key.
   const toml::node* take(const char* key, bool required, const std::string& remedy);

@@ -2,19 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 
-#include "json_number.hpp"
 #include "keys.hpp"
+#include "plain_number.hpp"
 #include "strandyn/conductor/catalogue.hpp"
 
 namespace strandyn::casefile {
 namespace {
 
 using nlohmann::ordered_json;
+
+ordered_json json_number(double x) {
+  const double y = plain_number(x);
+  if (is_whole(y)) return static_cast<std::int64_t>(y);
+  return y;
+}
 
 ordered_json number_schema(const Number& number, bool whole) {
   ordered_json schema = {{"type", whole ? "integer" : "number"}};
@@ -206,12 +214,12 @@ void SchemaWriter::catalogue(const char* key, const Conductor&, const Plain& spe
 
 }  // namespace
 
-ordered_json case_schema() {
+std::string case_schema() {
   ordered_json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                          {"title", "A case of strandyn"},
                          {"description", "Units stand in the names of the keys."}};
   schema.update(SchemaWriter::write<Scene>());
-  return schema;
+  return schema.dump(2);
 }
 
 }  // namespace strandyn::casefile

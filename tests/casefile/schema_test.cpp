@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "strandyn/casefile/echo.hpp"
@@ -46,7 +47,7 @@ void for_each_property(const ordered_json& schema, const Visit& visit) {
 }  // namespace
 
 TEST_CASE("the schema says unit, default, bounds, choices and need of a key") {
-  const ordered_json schema = case_schema();
+  const ordered_json schema = ordered_json::parse(case_schema());
   CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
   CHECK(schema["required"] == ordered_json::array({"analysis"}));
   CHECK(schema["additionalProperties"] == false);
@@ -98,7 +99,7 @@ TEST_CASE("the schema ties a key to the choice that it belongs to") {
 }
 
 TEST_CASE("the schema knows motions and bodies with their bounds") {
-  const ordered_json schema = case_schema();
+  const ordered_json schema = ordered_json::parse(case_schema());
   const ordered_json& motion = schema["properties"]["motion"]["items"];
   CHECK(motion["required"] == ordered_json::array({"type"}));
   CHECK(motion["properties"]["at"]["enum"] == ordered_json::array({"left", "right"}));

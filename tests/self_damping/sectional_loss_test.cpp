@@ -1,13 +1,14 @@
+#include "strandyn/self_damping/sectional_loss.hpp"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "study/self_damping_scene.hpp"
 #include "strandyn/build/span.hpp"
 #include "strandyn/section/multilinear.hpp"
 #include "strandyn/self_damping/mode_loss.hpp"
-#include "strandyn/self_damping/sectional_loss.hpp"
+#include "study/self_damping_scene.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn;
@@ -138,7 +139,8 @@ TEST_CASE("the free span of a clamped mode loses what a sine of its curvature lo
     const self_damping::ClampedMode mode = self_damping::clamped_mode_at(beam, frequency);
     const self_damping::ClampedCurvature curvature = self_damping::curvature_of(mode);
     const double A = 0.02 / curvature.free_span;
-    const self_damping::SectionalLoss loss(*curlew.law, curlew.state, {.lowest = 0.02, .highest = curvature.largest * A});
+    const self_damping::SectionalLoss loss(*curlew.law, curlew.state,
+                                           {.lowest = 0.02, .highest = curvature.largest * A});
     const self_damping::SpanLoss lost = self_damping::loss_of_mode(loss, mode, A);
     REQUIRE(lost.free_span);
     // The two rules go over the kinks of the loss at different places: measured 6e-4.

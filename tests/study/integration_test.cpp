@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "study/scenes.hpp"
-#include "support/run.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using nlohmann::ordered_json;
@@ -90,8 +90,7 @@ TEST_CASE("what IDA takes from a linear span in 500 cycles is what the plan said
 
 TEST_CASE("generalized alpha at rho one keeps the energy of a linear span over 500 cycles") {
   const ordered_json s =
-      test::run(long_run("[integrator]\nmethod = \"generalized-alpha\"\nrho_inf = 1\nstep_s = 0.024385\n"))
-          .summary;
+      test::run(long_run("[integrator]\nmethod = \"generalized-alpha\"\nrho_inf = 1\nstep_s = 0.024385\n")).summary;
   CHECK(s["plan"]["predicted_numerical_damping_ratio"] == 0.0);
   // Of ten thousand cycles, 1e-6 is asked; what the swing's own tension does is of the order of 2e-7 and does not grow.
   CHECK(std::abs(s["energy"]["numerical_dissipation_J"].get<double>()) <
@@ -105,8 +104,8 @@ TEST_CASE("the steps that a broken bound of the numerical share names hold it") 
       CAPTURE(bound);
       const auto shaken = [&](int steps) {
         return test::run(span_scene(shaker, {fmt::format("integrator.method={}", method),
-                                                   fmt::format("integrator.max_numerical_share={}", bound),
-                                                   fmt::format("integrator.steps_per_cycle={}", steps)}));
+                                             fmt::format("integrator.max_numerical_share={}", bound),
+                                             fmt::format("integrator.steps_per_cycle={}", steps)}));
       };
       const test::Run coarse = shaken(24);
       REQUIRE(coarse.exit_code == ExitCode::not_converged);

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "results/scratch_folder.hpp"
-#include "study/scenes.hpp"
 #include "strandyn/conductor/constants.hpp"
-#include "support/run.hpp"
+#include "study/scenes.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using test::check_close;
@@ -98,15 +98,13 @@ TEST_CASE("a path with an unknown column is refused with the columns there are")
 TEST_CASE("free to twist the section twists and the limits of the layers change") {
   const std::string analysis = "curvature_amplitudes_per_m = [0.05]\nsteps_per_cycle = 200\n";
   const double held = test::run(section_scene(analysis)).summary["loops"][0]["area_J_per_m"];
-  const double loose =
-      test::run(section_scene(analysis + "twist = \"free\"\n")).summary["loops"][0]["area_J_per_m"];
+  const double loose = test::run(section_scene(analysis + "twist = \"free\"\n")).summary["loops"][0]["area_J_per_m"];
   CHECK(std::abs(loose - held) > 1e-3 * held);
 }
 
 TEST_CASE("loops by friction and with and without residual forces are those of the single cases") {
   const std::string analysis = "curvature_amplitudes_per_m = [0.04]\nsteps_per_cycle = 200\n";
-  const auto both =
-      test::run(section_scene(analysis + "frictions = [0.5]\ncompare_residual_forces = true\n")).summary;
+  const auto both = test::run(section_scene(analysis + "frictions = [0.5]\ncompare_residual_forces = true\n")).summary;
   REQUIRE(both["loops"].size() == 2);
   const std::vector<std::string> half = {"conductor.friction=0.5"};
   const double with = test::run(section_scene(analysis, half)).summary["loops"][0]["area_J_per_m"];

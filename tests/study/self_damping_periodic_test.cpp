@@ -5,8 +5,8 @@
 
 #include "results/scratch_folder.hpp"
 #include "strandyn/casefile/read.hpp"
-#include "support/run.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using nlohmann::ordered_json;
@@ -122,12 +122,12 @@ TEST_CASE("a sweep goes through the resonance of the same amplitude that asks fo
 
 TEST_CASE("a sweep that is stopped keeps its points") {
   int asked = 0;
-  const test::Run result = test::run(
-      casefile::read_scene_text(
-          span_and("tension_rts = 0.2\n[[load]]\ntype = \"harmonic-force\"\nat_m = 0.4\namplitude_N = 2\n"
-                   "frequency = \"mode 4\"\n[analysis]\ntype = \"sweep\"\n"),
-          "test.toml"),
-      {.stop = [&] { return ++asked > 3; }, .progress = {}});
+  const test::Run result =
+      test::run(casefile::read_scene_text(
+                    span_and("tension_rts = 0.2\n[[load]]\ntype = \"harmonic-force\"\nat_m = 0.4\namplitude_N = 2\n"
+                             "frequency = \"mode 4\"\n[analysis]\ntype = \"sweep\"\n"),
+                    "test.toml"),
+                {.stop = [&] { return ++asked > 3; }, .progress = {}});
   CHECK(result.exit_code == ExitCode::interrupted);
   CHECK(result.summary["sweep"].size() == 4);
   CHECK_FALSE(result.summary.contains("backbone"));

@@ -5,11 +5,11 @@
 #include <fstream>
 
 #include "results/scratch_folder.hpp"
-#include "study/self_damping_scene.hpp"
 #include "strandyn/results/folder.hpp"
 #include "strandyn/self_damping/method.hpp"
-#include "support/run.hpp"
+#include "study/self_damping_scene.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using nlohmann::ordered_json;
@@ -136,8 +136,7 @@ TEST_CASE("a study that was stopped goes on and ends with the same file") {
   REQUIRE(reference.exit_code == ExitCode::done);
 
   int asked = 0;
-  const auto part =
-      test::run(scene, {.stop = [&] { return ++asked > 3; }, .progress = {}, .folder = parted.path()});
+  const auto part = test::run(scene, {.stop = [&] { return ++asked > 3; }, .progress = {}, .folder = parted.path()});
   CHECK(part.exit_code == ExitCode::interrupted);
   CHECK(part.summary["points"].size() == 3);
   // Killed while it wrote: the last line is cut.
@@ -145,8 +144,8 @@ TEST_CASE("a study that was stopped goes on and ends with the same file") {
 
   std::vector<std::string> told;
   const auto rest = test::run(scene, {.stop = {},
-                                            .progress = [&](double, std::string_view what) { told.emplace_back(what); },
-                                            .folder = parted.path()});
+                                      .progress = [&](double, std::string_view what) { told.emplace_back(what); },
+                                      .folder = parted.path()});
   CHECK(told.front() == "point 3 of 8");
   CHECK(rest.summary["points"] == reference.summary["points"]);
   CHECK(rest.summary["fit"] == reference.summary["fit"]);
@@ -160,11 +159,11 @@ TEST_CASE("the points of another case are not taken up and a finished study comp
     std::string told;
     int asked = 0;
     test::run(scene, {.stop = [&] { return ++asked > points_until_stop; },
-                            .progress =
-                                [&](double, std::string_view what) {
-                                  if (told.empty()) told = what;
-                                },
-                            .folder = folder.path()});
+                      .progress =
+                          [&](double, std::string_view what) {
+                            if (told.empty()) told = what;
+                          },
+                      .folder = folder.path()});
     return told;
   };
   CHECK(first_word(damping_scene("return-map", small_grid), 3) == "point 0 of 8");
@@ -181,8 +180,8 @@ TEST_CASE("a point that fails is a row that says why") {
     }
     self_damping::Expected expected(const std::vector<self_damping::Point>&) const override { return {}; }
   };
-  const auto row = self_damping::compute_row(scene, Failing(),
-                                             {.frequency = 20, .antinode_amplitude = 0.01, .tension = 3e4}, {});
+  const auto row =
+      self_damping::compute_row(scene, Failing(), {.frequency = 20, .antinode_amplitude = 0.01, .tension = 3e4}, {});
   REQUIRE(row);
   CHECK(row->failed == "no periodic state was found");
   CHECK(row->frequency == 20.0);

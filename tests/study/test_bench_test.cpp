@@ -7,8 +7,8 @@
 
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/core/error.hpp"
-#include "support/run.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using nlohmann::ordered_json;
@@ -116,10 +116,9 @@ TEST_CASE("test bench: one that does not become steady says so in words") {
 
 TEST_CASE("test bench: what has no shaker of one frequency is refused") {
   const std::string force = "[[load]]\ntype = \"harmonic-force\"\nat_m = 1\namplitude_N = 1\nfrequency_Hz = 20\n";
-  CHECK_THROWS_WITH_AS(test::run(linear_bench(force + force)), doctest::Contains("is a second shaker"),
-                       InputError);
+  CHECK_THROWS_WITH_AS(test::run(linear_bench(force + force)), doctest::Contains("is a second shaker"), InputError);
   CHECK_THROWS_WITH_AS(test::run(linear_bench("[[load]]\ntype = \"harmonic-force\"\nper_length = true\n"
-                                                    "amplitude_N = 1\nfrequency_Hz = 20\n")),
+                                              "amplitude_N = 1\nfrequency_Hz = 20\n")),
                        doctest::Contains("acts on the whole span"), InputError);
   CHECK_THROWS_WITH_AS(test::run(linear_bench("", {"integrator.method=ida", "integrator.step=adaptive"})),
                        doctest::Contains("counts its cycles in whole steps"), InputError);

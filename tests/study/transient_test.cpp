@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "study/scenes.hpp"
-#include "support/run.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using test::check_close;

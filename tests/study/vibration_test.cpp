@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "study/scenes.hpp"
-#include "support/run.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using test::check_close;
@@ -50,8 +50,7 @@ TEST_CASE("the nodal road to elastic energy and friction agrees with the section
 }
 
 TEST_CASE("drag is booked as viscous dissipation and nothing else") {
-  const auto s =
-      test::run(span_scene(decay, {"section.law=stick", "damping.drag_N_s_per_m2=2"})).summary["steady"];
+  const auto s = test::run(span_scene(decay, {"section.law=stick", "damping.drag_N_s_per_m2=2"})).summary["steady"];
   CHECK(s["friction_dissipation_J"] == 0.0);
   // zeta = c/(2 m omega) of a uniform drag. Its energy is taken as that of a sine of the antinode amplitude; a clamped
   // span flat at its ends has less, 4 % at small swing with 160 elements.
@@ -60,8 +59,7 @@ TEST_CASE("drag is booked as viscous dissipation and nothing else") {
 }
 
 TEST_CASE("a decay starts at the amplitude that was asked for") {
-  const auto s =
-      test::run(span_scene(decay, {"section.law=stick", "analysis.antinode_amplitude_mm=0.5"})).summary;
+  const auto s = test::run(span_scene(decay, {"section.law=stick", "analysis.antinode_amplitude_mm=0.5"})).summary;
   // It is set by a velocity; the stretch of the span takes some of it, with the square of the amplitude (2.6 % at 5
   // mm).
   check_close(s["cycles"][0]["antinode_amplitude_m"], 5e-4, {.relative = 2e-3});
@@ -86,8 +84,8 @@ TEST_CASE("a bound on the numerical share that breaks says which step would hold
 TEST_CASE("a run until steady ends when input and loss agree") {
   const auto result =
       test::run(span_scene("[[load]]\ntype = \"harmonic-force\"\nat_m = 0.5\namplitude_N = 40\n"
-                                 "frequency = \"mode 4\"\n[analysis]\ntype = \"forced\"\nuntil = \"steady\"\n",
-                                 {"integrator.steps_per_cycle=100", "damping.drag_N_s_per_m2=3"}));
+                           "frequency = \"mode 4\"\n[analysis]\ntype = \"forced\"\nuntil = \"steady\"\n",
+                           {"integrator.steps_per_cycle=100", "damping.drag_N_s_per_m2=3"}));
   CHECK(result.exit_code == ExitCode::done);
   const auto& s = result.summary["steady"];
   const double lost = s["friction_dissipation_J"].get<double>() + s["viscous_dissipation_J"].get<double>() +
@@ -97,7 +95,7 @@ TEST_CASE("a run until steady ends when input and loss agree") {
 
 TEST_CASE("a static force bends the span along itself and unloads on the way it came while all sticks") {
   const auto s = test::run(span_scene("[[load]]\ntype = \"static-force\"\nat_m = 5\nforce_N = -20\n"
-                                            "[analysis]\ntype = \"static\"\nsteps = 4\n"))
+                                      "[analysis]\ntype = \"static\"\nsteps = 4\n"))
                      .summary["steps"];
   REQUIRE(s.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {

@@ -2,9 +2,8 @@
 /// \file The case as run: every default filled in, the layers of the conductor resolved, in the case file's own keys
 /// and units. Numbers are given to 15 digits.
 
-#include "strandyn/results/value.hpp"
-
 #include "strandyn/casefile/scene.hpp"
+#include "strandyn/results/value.hpp"
 
 namespace strandyn::casefile {
 
