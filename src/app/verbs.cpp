@@ -27,7 +27,7 @@ casefile::Scene scene_of(std::string_view conductor) {
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const casefile::Scene scene = casefile::read_scene(file, overrides);
   study::prepare(scene);
-  fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::name_of(scene.analysis.type));
+  fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::word_of(scene.analysis));
   return ExitCode::done;
 }
 

@@ -137,8 +137,7 @@ BuiltSpan build_span(const casefile::Scene& scene) {
     lay_out_polyline(scene, numbers, built);
   }
   built.model.inertia = section_inertia(scene, numbers);
-  const bool lumped = scene.span->mass == casefile::MassMatrix::lumped;
-  built.model.mass_matrix = lumped ? model::MassMatrix::lumped : model::MassMatrix::consistent;
+  built.model.mass_matrix = scene.span->mass;
   built.model.drag = scene.damping.drag;
   add_supports(scene, built);
   add_loads(scene, built);

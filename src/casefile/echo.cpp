@@ -121,6 +121,16 @@ class Echo {
 
   void one_of(std::initializer_list<const char*>, const OneOf&) {}
 
+  template <class... Kinds>
+  void kinds(const char* key, std::variant<Kinds...>& value, const Plain&) {
+    std::visit(
+        [&](auto& kind) {
+          object.set(key, kind.word);
+          keys(*this, kind);
+        },
+        value);
+  }
+
   template <class E, class Keys>
   void when(const char*, const E& value, std::initializer_list<E> wanted, Keys write_keys) {
     for (const E choice : wanted) {

@@ -27,8 +27,9 @@ std::optional<double> span_tension(const Scene& scene) {
 }
 
 std::vector<double> section_tensions(const Scene& scene) {
-  std::vector<double> tensions = scene.analysis.section.tensions;
-  for (const double part : scene.analysis.section.tensions_rts) tensions.push_back(part * rated_strength(scene));
+  const auto& section = scene.as<SectionAnalysis>();
+  std::vector<double> tensions = section.tensions;
+  for (const double part : section.tensions_rts) tensions.push_back(part * rated_strength(scene));
   return tensions;
 }
 

@@ -89,10 +89,12 @@ class SchemaWriter {
     ordered_json schema = choice_schema<E>();
     if (!spec.required) schema["default"] = name_of(value);
     add(key, schema, spec);
+    if (spec.old_name) add_old_name(key, choice_schema<E>(), spec);
   }
   template <class E>
   void choice(const char* key, const std::optional<E>&, const Plain& spec) {
     add(key, choice_schema<E>(), spec);
+    if (spec.old_name) add_old_name(key, choice_schema<E>(), spec);
   }
 
   template <class T>
@@ -138,6 +140,12 @@ class SchemaWriter {
     }
   }
 
+  template <class... Kinds>
+  void kinds(const char* key, const std::variant<Kinds...>&, const Plain& spec) {
+    add(key, {{"enum", {Kinds::word...}}}, spec);
+    (write_kind<Kinds>(key), ...);
+  }
+
   template <class E, class Keys>
   void when(const char* selector, const E& value, std::initializer_list<E> wanted, Keys write_keys) {
     ordered_json names = ordered_json::array();
@@ -146,6 +154,29 @@ class SchemaWriter {
       names.push_back(name_of(choice));
       by_default = by_default || choice == value;
     }
+    write_under(selector, names, by_default, write_keys);
+  }
+
+  template <class T>
+  static ordered_json write() {
+    SchemaWriter writer;
+    T fresh{};
+    keys(writer, fresh);
+    return writer.object();
+  }
+
+ private:
+  template <class Kind>
+  void write_kind(const char* selector) {
+    write_under(selector, ordered_json::array({Kind::word}), false, [&] {
+      Kind fresh{};
+      keys(*this, fresh);
+    });
+  }
+
+  /// Keys that stand under some words of an earlier key only, which may be left out where one of them is its default.
+  template <class Keys>
+  void write_under(const char* selector, const ordered_json& names, bool by_default, Keys write_keys) {
     ordered_json condition = {{"properties", {{selector, {{"enum", names}}}}}};
     if (!by_default) condition["required"] = {selector};
 
@@ -164,15 +195,11 @@ class SchemaWriter {
     if (!then.empty()) all_rules_.push_back({{"if", condition}, {"then", then}});
   }
 
-  template <class T>
-  static ordered_json write() {
-    SchemaWriter writer;
-    T fresh{};
-    keys(writer, fresh);
-    return writer.object();
+  void add_old_name(const char* key, ordered_json schema, const Plain& spec) {
+    schema["deprecated"] = true;
+    add(spec.old_name, std::move(schema), fmt::format("old name of `{}`", key), false);
   }
 
- private:
   void add(const char* key, ordered_json schema, const Plain& spec) {
     add(key, std::move(schema), spec.help, spec.required);
   }

@@ -79,9 +79,9 @@ BalanceRow row_of(const Scene& scene, const casefile::EnergyBalanceKeys& keys, c
   const conductor::Strand& strand = scene.conductor->strand;
   const build::SectionNumbers numbers = build::section_numbers(scene);
   BalanceRow row{
-      .wind = std::string(casefile::name_of(keys.wind)),
+      .wind = std::string(name_of(keys.wind)),
       .turbulence_intensity = keys.turbulence_intensity,
-      .self_damping = std::string(casefile::name_of(keys.self_damping)),
+      .self_damping = std::string(name_of(keys.self_damping)),
       .tension = tension,
       .frequency = frequency,
       .wind_speed = analysis::wind_speed({.diameter = numbers.diameter, .strouhal = keys.strouhal}, frequency),

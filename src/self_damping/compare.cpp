@@ -22,7 +22,7 @@ constexpr std::array most_expensive_first = {DampingMethod::transient, DampingMe
                                              DampingMethod::quadrature, DampingMethod::foti_2018};
 
 std::size_t rank(const PointRow& row) {
-  const auto is_its = [&](DampingMethod method) { return row.method == casefile::name_of(method); };
+  const auto is_its = [&](DampingMethod method) { return row.method == name_of(method); };
   return static_cast<std::size_t>(std::ranges::find_if(most_expensive_first, is_its) - most_expensive_first.begin());
 }
 
@@ -122,7 +122,7 @@ ComparisonRow compare(const Quadrature& quadrature, const PointRow& row, const P
   }
   const double free = *entry.free_span_ratio;
   entry.agrees = std::abs(free - 1) <= agreed;
-  const bool measured = row.method == casefile::name_of(DampingMethod::quadrature) && reference.vibration &&
+  const bool measured = row.method == name_of(DampingMethod::quadrature) && reference.vibration &&
                         reference.vibration->free_span_curvature && free > 0;
   const double onset = quadrature.at_tension(row.tension).onset();
   if (measured && onset > 0) {

@@ -102,7 +102,7 @@ PublishedRow published(const Scene& scene, const analysis::PowerLawFit& fit,
 
 Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
   const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
-  const std::string_view method = casefile::name_of(keys.method);
+  const std::string_view method = name_of(keys.method);
   const auto whole = points_to_fit(rows, method, &PointRow::self_damping);
   const auto free_span = points_to_fit(rows, method, &PointRow::free_span);
   const analysis::PowerLawFit fit = analysis::fit_power_law(whole);

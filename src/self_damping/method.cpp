@@ -47,7 +47,7 @@ std::optional<PointRow> compute_row(const Scene& scene, const Method& method, co
   PointRow row{.frequency = point.frequency,
                .antinode_amplitude = point.antinode_amplitude,
                .tension = point.tension,
-               .method = std::string(casefile::name_of(point.method))};
+               .method = std::string(name_of(point.method))};
   if (scene.conductor) {
     row.amplitude_over_diameter = point.antinode_amplitude / scene.conductor->strand.outer_diameter();
   }

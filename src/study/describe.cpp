@@ -80,8 +80,8 @@ Value describe_case(const Scene& scene) {
   const std::unique_ptr<Analysis> analysis = prepare(scene);
   Value out = Value::object();
   out.set("title", scene.title);
-  out.set("analysis", casefile::name_of(scene.analysis.type));
-  out.set("section_law", casefile::name_of(scene.section.law));
+  out.set("analysis", casefile::word_of(scene.analysis));
+  out.set("section_law", name_of(scene.section.law));
   if (scene.conductor) out.set("conductor", results::to_value(facts_of(scene.conductor->strand)));
   out.set("section", results::to_value(build::section_numbers(scene)));
   const Outlook outlook = analysis->outlook();

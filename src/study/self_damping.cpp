@@ -112,7 +112,7 @@ void members(V& v, StudyFacts& f) {
 
 /// points_<method>.csv, one line per point that has numbers, and its figure.
 void add_point_tables(const std::vector<PointRow>& rows, Outcome& outcome) {
-  for (const auto& [method, name] : casefile::choices<DampingMethod>) {
+  for (const auto& [method, name] : choices<DampingMethod>) {
     results::Table table({"frequency_Hz", "antinode_amplitude_m", "tension_N", "self_damping_W_per_m",
                           "self_damping_free_span_W_per_m"});
     for (const PointRow& row : rows) {
@@ -217,8 +217,8 @@ class SelfDamping final : public Analysis {
         .points = points_.size(),
         .methods = {},
         .tensions = self_damping::distinct_tensions(points_),
-        .mode_shape = std::string(casefile::name_of(scene_.as<casefile::SelfDampingAnalysis>().mode_shape))};
-    for (const Point& point : points_) ++facts.methods[std::string(casefile::name_of(point.method))];
+        .mode_shape = std::string(name_of(scene_.as<casefile::SelfDampingAnalysis>().mode_shape))};
+    for (const Point& point : points_) ++facts.methods[std::string(name_of(point.method))];
     outlook.tell("study", facts);
     outlook.evaluations_least = expected_.least;
     outlook.evaluations_most = expected_.most;

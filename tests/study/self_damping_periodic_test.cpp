@@ -20,7 +20,7 @@ std::string span_and(const std::string& rest, const std::string& law = "return-m
          "\"\n[span]\nlength_m = 6\nelements = 32\nmass = \"consistent\"\n" + rest;
 }
 
-const std::string study_of = "[analysis]\ntype = \"self-damping\"\nroad = \"periodic\"\nmode_shape = \"clamped\"\n";
+const std::string study_of = "[analysis]\ntype = \"self-damping\"\nmethod = \"periodic\"\nmode_shape = \"clamped\"\n";
 
 ordered_json summary_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return test::run(casefile::read_scene_text(text, "test.toml", overrides)).summary;
@@ -37,7 +37,7 @@ TEST_CASE("the free span of a periodic vibration loses what the quadrature over 
   const ordered_json s =
       summary_of(span_and(study_of + "modes = 4\nantinode_amplitude_mm = 1\ntensions_rts = 0.2\n"
                                      "[[analysis.at]]\nmode = 4\nantinode_amplitude_mm = 1\ntension_rts = 0.2\n"
-                                     "road = \"quadrature\"\n",
+                                     "method = \"quadrature\"\n",
                           "compliant"));
   REQUIRE(s["comparisons"].size() == 1);
   const ordered_json& comparison = s["comparisons"][0];

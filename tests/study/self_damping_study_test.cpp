@@ -79,7 +79,7 @@ TEST_CASE("Curlew at 20 Hz and a fifth of its strength loses some milliwatts per
 TEST_CASE("the road of the closed form gives the published values of Aster 570") {
   const ordered_json points = summary_of(casefile::read_scene_text(
       "[conductor]\ncatalogue = \"aster-570\"\n[section]\nlaw = \"return-map\"\n"
-      "[analysis]\ntype = \"self-damping\"\nroad = \"foti-2018\"\nfrequencies_Hz = 20\ntensions_rts = 0.15\n"
+      "[analysis]\ntype = \"self-damping\"\nmethod = \"foti-2018\"\nfrequencies_Hz = 20\ntensions_rts = 0.15\n"
       "amplitude_over_diameter = [0.05, 0.2, 0.5, 1.0, 1.5]\n"
       "foti_2018 = { EI_N_m2 = 2155, chi_0_at_rated_strength_per_m = 0.140652 }\n",
       "test.toml"))["points"];
@@ -92,7 +92,7 @@ TEST_CASE("the road of the closed form gives the published values of Aster 570")
 TEST_CASE("the bare Drake line settles where wind and damping balance") {
   const ordered_json balance = summary_of(casefile::read_scene_text(
       "[conductor]\ncatalogue = \"drake\"\n[section]\nlaw = \"return-map\"\n"
-      "[analysis]\ntype = \"self-damping\"\nroad = \"foti-2018\"\nfrequencies_Hz = [10, 15, 20, 30, 40, 50]\n"
+      "[analysis]\ntype = \"self-damping\"\nmethod = \"foti-2018\"\nfrequencies_Hz = [10, 15, 20, 30, 40, 50]\n"
       "tensions_kN = 28\namplitude_over_diameter = 0.1\n"
       "foti_2018 = { EI_N_m2 = 1444, chi_0_at_rated_strength_per_m = 0.09641882 }\n"
       "[[analysis.energy_balance]]\nself_damping = \"published\"\nlaw = \"Noiseux\"\nfactor = 1.863\n"

@@ -25,7 +25,7 @@ casefile::Scene linear_bench(const std::string& tables, const std::vector<std::s
       "[section]\nlaw = \"elastic\"\nEA_N = 47e6\nEI_N_m2 = 100\nmass_kg_per_m = 1.976\n"
       "[span]\nlength_m = 15\nelements = 40\nleft = \"pinned\"\nright = \"pinned\"\ngrading = \"uniform\"\n"
       "mass = \"consistent\"\n[integrator]\nsteps_per_cycle = 100\n"
-      "[analysis]\ntype = \"self-damping\"\nroad = \"transient\"\nmodes = 5\nantinode_amplitude_mm = 1\n"
+      "[analysis]\ntype = \"self-damping\"\nmethod = \"transient\"\nmodes = 5\nantinode_amplitude_mm = 1\n"
       "tensions_kN = 30\n" +
           tables,
       "test.toml", overrides);

@@ -65,6 +65,7 @@ struct Number {
 struct Plain {
   const char* help;
   bool required = false;
+  const char* old_name = nullptr;  ///< by which case files may still call it
 };
 
 /// A group of keys that exclude each other.
