@@ -48,13 +48,13 @@ list_missing_packages() {
 }
 
 # with_signs LOG COUNT COMMAND...: keeps what the command says in LOG and says itself, every few seconds, how far apt-get
-# is with its COUNT packages.
+# is with what COUNT names.
 with_signs() {
   local log=$1 count=$2 began=$SECONDS ticker code=0
   shift 2
   : >"$log"
   while sleep "${STRANDYN_SIGN_S:-5}" >/dev/null 2>&1 && kill -0 $$; do
-    say "  $((SECONDS - began)) s: of $count $(grep -c '^Get:' "$log") fetched," \
+    say "  $((SECONDS - began)) s, $count: $(grep -c '^Get:' "$log") fetched," \
       "$(grep -c '^Unpacking ' "$log") unpacked, $(grep -c '^Setting up ' "$log") set up"
   done &
   ticker=$!
@@ -67,7 +67,7 @@ with_signs() {
 # Reads what apt-get would do and prints "COUNT packages, SIZE to fetch, SIZE on the disk"; nothing where it says nothing.
 read_simulation() {
   awk '/ newly installed/ { count = $1 + $3 }
-       /^Need to get / { sub(/.*\//, "", $4); fetched = $4 " " $5 }
+       /^Need to get / { fetched = $0; sub(/^Need to get /, "", fetched); sub(/( of |\/).*/, "", fetched) }
        /^After this operation, / { disk = $4 " " $5 }
        END { if (count) printf "%d packages, %s to fetch, %s on the disk\n", count, fetched, disk }'
 }
@@ -82,7 +82,7 @@ install_packages() {
   simulated=$("${as_root[@]}" env LC_ALL=C "${apt_install[@]}" --assume-no "$@" 2>/dev/null </dev/null |
     read_simulation) || true
   say "installing with what they need (${simulated:-apt-get does not say how much}): $*"
-  with_signs "$log" "${simulated%% *}" "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
+  with_signs "$log" "${simulated%%,*}" "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive \
     "${apt_install[@]}" -y "$@"
 }
 
@@ -135,7 +135,7 @@ install_missing_packages() {
   # work: its lock is waited for.
   if ((${#update[@]})); then
     say "reading the package lists (apt-get update)"
-    with_signs "$log" "the lists" "${as_root[@]}" "${update[@]}" ||
+    with_signs "$log" "package lists" "${as_root[@]}" "${update[@]}" ||
       say "apt-get update failed; the package lists at hand are tried"
   fi
   if ((${#packages[@]})); then install_packages "$log" "${as_root[@]}" -- "${packages[@]}" || failed=yes; fi
