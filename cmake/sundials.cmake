@@ -40,8 +40,8 @@ if(sundials_headers STREQUAL ${unpacked}/include)
   target_link_libraries(SUNDIALS::nvecserial INTERFACE SUNDIALS::ida)
 else()
   if(sundials_wants_mpi)
-    enable_language(C)  # the configuration names MPI's target for C before it looks for it
-    find_package(MPI REQUIRED COMPONENTS C)
+    enable_language(C)  # the configuration names the targets of MPI before it looks for them
+    find_package(MPI REQUIRED COMPONENTS C CXX)
   endif()
   find_package(SUNDIALS 6.4 REQUIRED COMPONENTS ida nvecserial)
 endif()
