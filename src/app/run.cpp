@@ -4,7 +4,6 @@
 #include <iostream>
 
 #include "interrupt.hpp"
-#include "strandyn/casefile/read.hpp"
 #include "strandyn/report/page.hpp"
 #include "strandyn/report/progress.hpp"
 #include "strandyn/report/shown.hpp"
@@ -64,7 +63,7 @@ study::Hooks hooks_of(const RunArguments& arguments, const std::filesystem::path
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
-  const casefile::Scene scene = casefile::read_scene(arguments.file, arguments.overrides);
+  const casefile::Scene scene = read_noted(arguments.file, arguments.overrides);
   study::prepare(scene);  // a case that cannot run leaves no folder
   const std::filesystem::path folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.file.stem() : arguments.out;

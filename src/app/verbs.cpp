@@ -24,15 +24,21 @@ casefile::Scene scene_of(std::string_view conductor) {
 
 }  // namespace
 
+casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  casefile::Scene scene = casefile::read_scene(file, overrides);
+  for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+  return scene;
+}
+
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const casefile::Scene scene = casefile::read_scene(file, overrides);
+  const casefile::Scene scene = read_noted(file, overrides);
   study::prepare(scene);
   fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::word_of(scene.analysis));
   return ExitCode::done;
 }
 
 ExitCode describe(const RunArguments& arguments) {
-  const results::Value told = study::describe_case(casefile::read_scene(arguments.file, arguments.overrides));
+  const results::Value told = study::describe_case(read_noted(arguments.file, arguments.overrides));
   fmt::print("{}\n", arguments.json ? results::to_text(told) : report::text_of(told));
   return ExitCode::done;
 }

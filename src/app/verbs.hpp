@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "strandyn/casefile/scene.hpp"
 #include "strandyn/core/error.hpp"
 
 namespace strandyn::app {
@@ -24,6 +25,9 @@ struct VerifyArguments {
   std::vector<std::string> names;  ///< parts of names; empty: all
   bool json = false;
 };
+
+/// Reads the case and prints its notes to standard error.
+casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 ExitCode run(const RunArguments& arguments);
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);

@@ -93,7 +93,8 @@ class Reader {
     for (const auto& named : choices<E>) names.emplace_back(named.name);
     const toml::node* node = take(key, spec.required, choice_remedy(spec, names), spec.old_name);
     if (!node) return;
-    const std::string word = to_choice(*node, path_of(key), spec, names);
+    const bool by_old_name = spec.old_name && table_.get(spec.old_name) == node;
+    const std::string word = to_choice(*node, path_of(by_old_name ? spec.old_name : key), spec, names);
     for (const auto& named : choices<E>) {
       if (named.name == word) field = named.value;
     }

@@ -9,48 +9,48 @@
 namespace strandyn::casefile {
 namespace {
 
-/// What an analysis says that it needs of a case; false where it says nothing.
+// What an analysis says of itself in its header; false where it says nothing.
 bool needs_span(const Analysis& analysis) {
   return std::visit(
-      [](const auto& a) {
+      []<class A>(const A&) {
         return requires {
-          a.needs_span;
+          requires A::needs_span;
         };
       },
       analysis);
 }
 bool needs_mass(const Analysis& analysis) {
   return std::visit(
-      [](const auto& a) {
+      []<class A>(const A&) {
         return requires {
-          a.needs_mass;
+          requires A::needs_mass;
         };
       },
       analysis);
 }
 bool needs_conductor(const Analysis& analysis) {
   return std::visit(
-      [](const auto& a) {
+      []<class A>(const A&) {
         return requires {
-          a.needs_conductor;
+          requires A::needs_conductor;
         };
       },
       analysis);
 }
 bool needs_drive(const Analysis& analysis) {
   return std::visit(
-      [](const auto& a) {
+      []<class A>(const A&) {
         return requires {
-          a.needs_drive;
+          requires A::needs_drive;
         };
       },
       analysis);
 }
 bool sets_tension(const Analysis& analysis) {
   return std::visit(
-      [](const auto& a) {
+      []<class A>(const A&) {
         return requires {
-          a.sets_tension;
+          requires A::sets_tension;
         };
       },
       analysis);
