@@ -1,8 +1,9 @@
+#include "strandyn/build/section_law.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "strandyn/build/span.hpp"
 #include "strandyn/conductor/constants.hpp"
 #include "strandyn/section/compliant.hpp"
 #include "strandyn/section/linear_law.hpp"
@@ -12,6 +13,7 @@
 #include "strandyn/section/spatial_return_map.hpp"
 
 namespace strandyn::build {
+
 SectionNumbers section_numbers(const casefile::Scene& scene) {
   SectionNumbers n;
   if (scene.conductor) n.diameter = scene.conductor->strand.outer_diameter();
@@ -45,7 +47,7 @@ template <double SectionNumbers::*EI>
 Made linear(const Request& r) {
   const SectionNumbers n = section_numbers(r.scene);
   return std::make_shared<section::LinearLaw>(
-      casefile::name_of(r.scene.section.law), r.dimension,
+      name_of(r.scene.section.law), r.dimension,
       section::LinearStiffness{.EA = n.EA, .GJ = n.GJ, .C_AT = n.C_AT, .EI = n.*EI});
 }
 
@@ -85,7 +87,7 @@ Made compliant(const Request& r) {
   return std::make_shared<section::CompliantLaw>(*r.strand, options);
 }
 
-/// All that a run knows of a law before it has one. A new law is a word in casefile/choices.hpp and a row here.
+/// All that a run knows of a law before it has one. A new law is a word in casefile/section.hpp and a row here.
 struct LawRow {
   casefile::Law law;
   Made (*make)(const Request&);
@@ -100,7 +102,7 @@ constexpr LawRow laws[] = {{.law = casefile::Law::stick, .make = linear<&Section
                            {.law = casefile::Law::masing, .make = masing, .bends_in_space = false},
                            {.law = casefile::Law::return_map, .make = return_map, .has_wires = true},
                            {.law = casefile::Law::compliant, .make = compliant, .bends_in_space = false}};
-static_assert(std::size(laws) == casefile::choices<casefile::Law>.size(), "one row for each word");
+static_assert(std::size(laws) == choices<casefile::Law>.size(), "one row for each word");
 
 const LawRow& row_of(casefile::Law law) {
   return *std::ranges::find(laws, law, &LawRow::law);

@@ -13,7 +13,7 @@ using section::Field;
 TEST_CASE("laws of a case: each word makes a law of that name, and has wires to look at where it says so") {
   casefile::Scene scene = test::read(test::lab_span);
   scene.section.EA = 1e7;
-  for (const auto& word : casefile::choices<casefile::Law>) {
+  for (const auto& word : choices<casefile::Law>) {
     scene.section.law = word.value;
     const auto law = build::build_law(scene, Dimension::planar);
     CHECK(law->name() == word.name);

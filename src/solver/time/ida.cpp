@@ -2,6 +2,7 @@
 
 #include "checkpoint.hpp"
 #include "ida_session.hpp"
+#include "strandyn/core/error.hpp"
 
 namespace strandyn::solver {
 
@@ -102,6 +103,12 @@ class Run {
 
 IntegratorSummary integrate_ida(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
                                 std::span<observe::Observer* const> observers) {
+  const Checkpoints& checkpoints = options.checkpoints;
+  if ((checkpoints.due || !checkpoints.resume.empty()) && !ida_has_checkpoints()) {
+    throw InputError(
+        "integrator.checkpoint_every_s: this program was built with a SUNDIALS whose IDA cannot be kept midway (6.4 "
+        "can); leave the key out, or take [integrator] method = \"generalized-alpha\"");
+  }
   return Run(system, initial, options, observers).go();
 }
 

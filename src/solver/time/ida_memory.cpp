@@ -1,13 +1,16 @@
 #include "ida_memory.hpp"
 
+#include "strandyn/core/error.hpp"
+#include "strandyn/solver/time/ida.hpp"
+
+#ifdef STRANDYN_IDA_CHECKPOINTS
+
 #include <ida/ida_impl.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_version.h>
 
 #include <cstddef>
 #include <span>
-
-#include "strandyn/core/error.hpp"
 
 // `ida_impl.h` describes IDA's memory as the library of this version lays it out.
 static_assert(SUNDIALS_VERSION_MAJOR == 6 && SUNDIALS_VERSION_MINOR == 4,
@@ -30,8 +33,8 @@ void require_version_of_headers() {
 
 }  // namespace
 
-bool has_stepped(const void* ida) {
-  return static_cast<const IDAMemRec*>(ida)->ida_nst > 0;
+bool ida_has_checkpoints() {
+  return true;
 }
 
 void archive_ida(Archive& a, void* ida) {
@@ -52,3 +55,19 @@ void archive_ida(Archive& a, void* ida) {
 }
 
 }  // namespace strandyn::solver
+
+#else
+
+namespace strandyn::solver {
+
+bool ida_has_checkpoints() {
+  return false;
+}
+
+void archive_ida(Archive&, void*) {
+  throw ComputationError("the memory of IDA is not known in this version of SUNDIALS");
+}
+
+}  // namespace strandyn::solver
+
+#endif

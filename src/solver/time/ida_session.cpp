@@ -9,13 +9,14 @@
 
 #include "ida_memory.hpp"
 #include "strandyn/core/error.hpp"
+#include "sundials_versions.hpp"
 #include "vector_ops.hpp"
 
 namespace strandyn::solver {
 namespace {
 
 /// IDA's error test sees this: small enough to pass always, the same at every order, so that order 2 is kept.
-realtype constant_error(N_Vector, N_Vector, N_Vector) {
+sunrealtype constant_error(N_Vector, N_Vector, N_Vector) {
   return 1e-4;
 }
 
@@ -25,7 +26,7 @@ void check(int flag, const char* call) {
 
 SUNContext make_context() {
   SUNContext context = nullptr;
-  check(SUNContext_Create(nullptr, &context), "SUNContext_Create");
+  check(sundials::make_context(context), "SUNContext_Create");
   return context;
 }
 
@@ -59,7 +60,7 @@ IdaSession::IdaSession(system::System& system, const InitialMotion& initial, con
   largest_ = {1e-6, 1e-6, 1e-6 / options.step, 1e-6 / options.step};
 
   void* ida = ida_.get();
-  check(IDASetErrFile(ida, nullptr), "IDASetErrFile");  // `failure` says it better
+  check(sundials::silence(context_.get(), ida), "the call that silences IDA");  // `failure` says it better
   check(IDAInit(ida, residual, 0, y_.get(), yp_.get()), "IDAInit");
   check(IDASetUserData(ida, this), "IDASetUserData");
   check(IDAWFtolerances(ida, weights), "IDAWFtolerances");
@@ -122,7 +123,7 @@ void IdaSession::archive(Archive& a) {
   const auto vector = [&](N_Vector v) {
     for (sunindextype i = 0; i < N_VGetLength(v); ++i) a(N_VGetArrayPointer(v)[i]);
   };
-  bool stepped = has_stepped(ida_.get());
+  bool stepped = has_stepped();
   a(stepped);
   // IDA sets itself up in its first step; what comes of it is replaced.
   if (a.reads() && stepped && !step(options_.end_time)) throw ComputationError(failure());
@@ -188,7 +189,7 @@ int IdaSession::guarded(F&& work) {
   }
 }
 
-int IdaSession::residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self) {
+int IdaSession::residual(sunrealtype t, N_Vector y, N_Vector yp, N_Vector f, void* self) {
   auto& session = *static_cast<IdaSession*>(self);
   const bool with_tangent = std::exchange(session.tangent_follows_, false);
   return session.guarded([&] {
@@ -196,18 +197,18 @@ int IdaSession::residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* 
   });
 }
 
-int IdaSession::refresh(realtype, realtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector, N_Vector,
-                        N_Vector) {
+int IdaSession::refresh(sunrealtype, sunrealtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector,
+                        N_Vector, N_Vector) {
   auto& session = *static_cast<IdaSession*>(self);
   return session.guarded([&] { session.problem_.refresh(cj); });
 }
 
-int IdaSession::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype) {
+int IdaSession::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
   auto& session = *static_cast<IdaSession*>(solver->content);
   return session.guarded([&] {
     int iteration = 0;
     SUNNonlinSolGetCurIter(session.nonlinear_.get(), &iteration);
-    realtype cj = 0;
+    sunrealtype cj = 0;
     IDAGetCurrentCj(session.ida_.get(), &cj);
     const bool stale = std::abs(cj / session.problem_.factored_cj() - 1) > 0.01;
     if (iteration >= session.patience_ || stale) session.problem_.refresh(cj);
@@ -215,7 +216,7 @@ int IdaSession::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
   });
 }
 
-int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector correction, realtype, N_Vector,
+int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector correction, sunrealtype, N_Vector,
                               void* self) {
   auto& session = *static_cast<IdaSession*>(self);
   int iteration = 0;
@@ -223,7 +224,7 @@ int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector corr
   switch (session.test_.judge(iteration, N_VGetArrayPointer(correction))) {
     case Verdict::arrived:
       session.patience_ = old_factors_serve(iteration + 1);
-      return SUN_NLS_SUCCESS;
+      return sundials::converged;
     case Verdict::on_the_way:
       session.tangent_follows_ = iteration + 1 >= session.patience_;
       return SUN_NLS_CONTINUE;
@@ -233,7 +234,7 @@ int IdaSession::has_converged(SUNNonlinearSolver solver, N_Vector, N_Vector corr
 }
 
 bool IdaSession::step(double stop_time) {
-  realtype reached = time_;
+  sunrealtype reached = time_;
   check(IDASetStopTime(ida_.get(), stop_time), "IDASetStopTime");
   const int flag = IDASolve(ida_.get(), options_.end_time, &reached, y_.get(), yp_.get(), IDA_ONE_STEP);
   if (exception_) std::rethrow_exception(exception_);
@@ -241,8 +242,15 @@ bool IdaSession::step(double stop_time) {
   return flag >= 0;
 }
 
+/// Since it began, or began anew.
+bool IdaSession::has_stepped() const {
+  long steps = 0;
+  IDAGetNumSteps(ida_.get(), &steps);
+  return steps > 0;
+}
+
 double IdaSession::last_step() const {
-  realtype h = 0;
+  sunrealtype h = 0;
   IDAGetLastStep(ida_.get(), &h);
   return h;
 }
@@ -268,7 +276,7 @@ std::size_t IdaSession::newton_iterations() const {
 }
 
 std::string IdaSession::failure() const {
-  realtype h = 0;
+  sunrealtype h = 0;
   IDAGetCurrentStep(ida_.get(), &h);
   return fmt::format(
       "the step at t = {:.6g} s did not converge, even cut to {:.3g} s (order {}, {} steps cut in all); largest last "

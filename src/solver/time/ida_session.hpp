@@ -66,14 +66,16 @@ class IdaSession {
 
  private:
   // What SUNDIALS calls. `self` is this object.
-  static int residual(realtype t, N_Vector y, N_Vector yp, N_Vector f, void* self);
-  static int refresh(realtype t, realtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self, N_Vector,
-                     N_Vector, N_Vector);
+  static int residual(sunrealtype t, N_Vector y, N_Vector yp, N_Vector f, void* self);
+  static int refresh(sunrealtype t, sunrealtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self,
+                     N_Vector, N_Vector, N_Vector);
   static int weights(N_Vector y, N_Vector weight, void* self);
-  static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, realtype);
-  static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, realtype, N_Vector, void* self);
+  static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype);
+  static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, sunrealtype, N_Vector,
+                           void* self);
   void make_linear_solver();
   void begin_anew();
+  bool has_stepped() const;
   void set_state(const system::Vector& u, const system::Vector& v);
   template <class F>
   int guarded(F&& work);

@@ -34,20 +34,20 @@ double* data(N_Vector v) {
   return N_VGetArrayPointer_Serial(v);
 }
 
-void wide_linear_sum(realtype a, N_Vector x, realtype b, N_Vector y, N_Vector z) {
+void wide_linear_sum(sunrealtype a, N_Vector x, sunrealtype b, N_Vector y, N_Vector z) {
   linear_sum(N_VGetLength_Serial(x), a, data(x), b, data(y), data(z));
 }
 
-void wide_scale(realtype c, N_Vector x, N_Vector z) {
+void wide_scale(sunrealtype c, N_Vector x, N_Vector z) {
   scale(N_VGetLength_Serial(x), c, data(x), data(z));
 }
 
-void wide_fill(realtype c, N_Vector z) {
+void wide_fill(sunrealtype c, N_Vector z) {
   fill(N_VGetLength_Serial(z), c, data(z));
 }
 
 /// z = sum of c_k X_k: the predictor. A second-order formula has three terms.
-int wide_combination(int count, realtype* c, N_Vector* X, N_Vector z) {
+int wide_combination(int count, sunrealtype* c, N_Vector* X, N_Vector z) {
   const long n = N_VGetLength_Serial(z);
   if (count == 1) {
     scale(n, c[0], data(X[0]), data(z));
@@ -61,7 +61,7 @@ int wide_combination(int count, realtype* c, N_Vector* X, N_Vector z) {
 }
 
 /// Z_k = a_k x + Y_k: what a finished step does to the differences that IDA keeps.
-int wide_scale_add(int count, realtype* a, N_Vector x, N_Vector* Y, N_Vector* Z) {
+int wide_scale_add(int count, sunrealtype* a, N_Vector x, N_Vector* Y, N_Vector* Z) {
   for (int k = 0; k < count; ++k) linear_sum(N_VGetLength_Serial(x), a[k], data(x), 1, data(Y[k]), data(Z[k]));
   return 0;
 }

@@ -17,8 +17,11 @@
 
 namespace strandyn::solver {
 
+/// Can a run be kept midway? IDA has no public way out for its memory, and its private header is not everywhere.
+bool ida_has_checkpoints();
+
 /// Integrates from time 0; steps grow to `options.step` by doubling from 1/256 of it. The history of `system` must have
-/// begun at `initial.u`.
+/// begun at `initial.u`. Throws InputError where checkpoints are asked for and there are none.
 IntegratorSummary integrate_ida(system::System& system, const InitialMotion& initial, const IntegratorOptions& options,
                                 std::span<observe::Observer* const> observers);
 
