@@ -9,6 +9,7 @@
 #include "reference_beam.hpp"
 #include "strandyn/observe/cycles.hpp"
 #include "strandyn/observe/histories.hpp"
+#include "strandyn/results/json.hpp"
 #include "strandyn/solver/modes/modes.hpp"
 #include "strandyn/study/run_case.hpp"
 
@@ -91,7 +92,7 @@ ordered_json run(const std::vector<std::string>& overrides) {
   const auto file = STRANDYN_SOURCE_DIR "/cases/curlew_lab_span.toml";
   study::CaseResult result = study::run_case(casefile::read_scene(file, overrides));
   if (!result.message.empty()) fmt::print(stderr, "{}\n", result.message);
-  return std::move(result.summary);
+  return ordered_json::parse(results::to_text(result.summary));
 }
 
 std::vector<std::string> decay(const char* law, double amplitude_mm, int cycles) {

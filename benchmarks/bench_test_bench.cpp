@@ -10,6 +10,7 @@
 
 #include "strandyn/build/span.hpp"
 #include "strandyn/casefile/read.hpp"
+#include "strandyn/results/json.hpp"
 #include "strandyn/solver/periodic/periodic.hpp"
 #include "strandyn/study/run_case.hpp"
 
@@ -35,7 +36,7 @@ casefile::Scene scene_of(const Case& c, const std::string& start) {
       "[[load]]\ntype = \"harmonic-force\"\nat_m = 0.7\namplitude_N = 1\nfrequency = \"mode 12\"\n";
   if (c.modal_damping) text += fmt::format("[damping]\nmodal = [[{}, {}]]\n", mode_number, modal_ratio);
   text += fmt::format(
-      "[analysis]\ntype = \"self-damping\"\nroad = \"transient\"\nmodes = {}\namplitude_over_diameter = {}\n"
+      "[analysis]\ntype = \"self-damping\"\nmethod = \"transient\"\nmodes = {}\namplitude_over_diameter = {}\n"
       "tensions_rts = 0.2\nbench = {{ start = \"{}\", max_cycles = 800 }}\n",
       mode_number, c.amplitude_over_diameter, start);
   return casefile::read_scene_text(text, "bench.toml");
@@ -107,7 +108,8 @@ Periodic periodic(const Case& c, double amplitude) {
 }
 
 ordered_json transient(const Case& c, const std::string& start) {
-  const ordered_json point = study::run_case(scene_of(c, start)).summary["points"][0];
+  const ordered_json point =
+      ordered_json::parse(results::to_text(study::run_case(scene_of(c, start)).summary))["points"][0];
   if (point.contains("failed")) fmt::print("transient: {}\n", point["failed"].get<std::string>());
   return point.value("bench", ordered_json());
 }

@@ -13,7 +13,6 @@
 #include "ladder.hpp"
 #include "strandyn/exact/full_slip.hpp"
 #include "strandyn/section/spatial_return_map.hpp"
-#include "strandyn/section/wire_state.hpp"
 
 namespace strandyn::bench {
 namespace {
@@ -93,7 +92,7 @@ class Section {
   }
 
   const Vector3d& strains() const { return strains_; }
-  section::WireState wires() const { return wire_state(law_, history_, 0); }
+  section::WireState wires() const { return law_.wires(history_, field(strains_), 0); }
 
   /// Newton's method from the committed strains, undamped. False where it does not converge in 50 iterations.
   bool solve(const Vector3d& wanted, int& iterations) { return newton(wanted, jacobian_, 1, 50, iterations); }
@@ -162,7 +161,7 @@ class Section {
     section::History history = history_;
     section::StepEnergy energy(1);
     law_.commit(history, field(trial_), energy);
-    const section::WireState state = wire_state(law_, history, 0);
+    const section::WireState state = law_.wires(history, field(trial_), 0);
     const bool moved = trial_ != strains_;
     Eigen::Matrix2d K = c.EI_min * Eigen::Matrix2d::Identity();
     for (std::size_t j = 0; j < state.layers.size(); ++j) {

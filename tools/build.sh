@@ -5,16 +5,18 @@
 # How many compilers or tests run at once: the cores this process may use, unless the caller set CMake's variable.
 count_jobs() { echo "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}"; }
 
-# build ROOT PRESET TARGET: the presets `release` and `ci` share the folder build/release. Returns 70 ("internal
-# software error", sysexits.h) when the program does not configure or compile.
+# build ROOT PRESET TARGET: the presets `release` and `ci` share the folder build/release and what was compiled there.
+# Returns 70 ("internal software error", sysexits.h) when the program does not configure or compile.
 build() {
-  local root=$1 preset=$2 target=$3 folder=$1/build/release log
+  local root=$1 preset=$2 target=$3 folder=$1/build/release log fresh=()
   # A folder tree that was copied from elsewhere still points to its old home and must not build that one.
-  if [[ $preset == ci || ! -e $folder/build.ninja ]] ||
-     ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+  if [[ ! -e $folder/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+    fresh=(--fresh)  # this drops objects too
+  fi
+  if [[ $preset == ci || ${#fresh[@]} != 0 ]]; then
     say "configuring $folder"
     log=$(mktemp)
-    if ! (cd "$root" && cmake --fresh --preset "$preset") >"$log" 2>&1 </dev/null; then
+    if ! (cd "$root" && cmake "${fresh[@]}" --preset "$preset") >"$log" 2>&1 </dev/null; then
       cat "$log" >&2
       rm -f "$log"
       say "CMake could not configure (above: why)"

@@ -26,4 +26,20 @@ SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbe
   return s;
 }
 
+bool is_steady(std::span<const CycleFlow> cycles, double nothing) {
+  if (cycles.empty()) return false;
+  double low = cycles.front().amplitude;
+  double high = low;
+  double in = 0;
+  double lost = 0;
+  for (const CycleFlow& cycle : cycles) {
+    low = std::min(low, cycle.amplitude);
+    high = std::max(high, cycle.amplitude);
+    in += cycle.in;
+    lost += cycle.lost;
+  }
+  return high - low <= 2e-3 * high &&
+         std::abs(in - lost) <= 5e-3 * std::abs(in) + nothing * static_cast<double>(cycles.size());
+}
+
 }  // namespace strandyn::analysis

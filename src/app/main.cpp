@@ -49,14 +49,16 @@ int main(int argc, char** argv) {
   run->add_flag("--quiet", arguments.quiet, "no progress and no tables");
   run->add_flag("--resume", arguments.resume,
                 "go on from the checkpoint that [integrator] checkpoint_every_s has left in the results folder");
+  run->add_flag("--report", arguments.report, "make the page report.html, too");
   run->callback([&] { verb = [&] { return app::run(arguments); }; });
 
   add_case_verb(program, "check", "read and validate a case, run nothing", arguments)->callback([&] {
     verb = [&] { return app::check(arguments.file, arguments.overrides); };
   });
-  add_case_verb(program, "describe", "the resolved case in SI units, what will be modelled, the expected cost",
-                arguments)
-      ->callback([&] { verb = [&] { return app::describe(arguments.file, arguments.overrides); }; });
+  CLI::App* describe = add_case_verb(
+      program, "describe", "the resolved case in SI units, what will be modelled, the expected cost", arguments);
+  describe->add_flag("--json", arguments.json, "print JSON instead of words");
+  describe->callback([&] { verb = [&] { return app::describe(arguments); }; });
 
   app::VerifyArguments verification;
   CLI::App* verify = program.add_subcommand("verify", "run the cases that carry an [accept] table, side by side");

@@ -1,22 +1,32 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "interrupt.hpp"
-#include "strandyn/casefile/read.hpp"
-#include "strandyn/report/cycle_table.hpp"
+#include "strandyn/report/page.hpp"
 #include "strandyn/report/progress.hpp"
+#include "strandyn/report/shown.hpp"
 #include "strandyn/report/text_table.hpp"
+#include "strandyn/results/earlier_run.hpp"
 #include "strandyn/results/folder.hpp"
+#include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
 #include "verbs.hpp"
 
 namespace strandyn::app {
 namespace {
 
-void write_results(const std::filesystem::path& folder, const study::CaseResult& result) {
-  for (const study::NamedTable& table : result.tables) results::write_csv(folder / table.file, table.table);
+void write_results(const std::filesystem::path& folder, const std::vector<std::string>& earlier,
+                   const study::CaseResult& result) {
+  std::vector<std::string> written;
+  for (const results::NamedTable& table : result.tables) {
+    written.push_back(table.file);
+    if (std::ranges::find(result.streamed, table.file) != result.streamed.end()) continue;
+    results::write_csv(folder / table.file, table.table);
+  }
   results::write_json(folder / "summary.json", result.summary);
+  results::take_away(folder, earlier, written);
 }
 
 std::string verdict_table(const std::vector<casefile::Verdict>& verdicts) {
@@ -27,77 +37,61 @@ std::string verdict_table(const std::vector<casefile::Verdict>& verdicts) {
   return table.str();
 }
 
-/// The figures that a reader looks for first.
-std::string headline(const nlohmann::ordered_json& s) {
-  std::string text;
-  if (s.contains("steady")) {
-    const auto& steady = s["steady"];
-    text += fmt::format(
-        "last {} cycles at {:.4f} Hz: antinode amplitude {:.4g} mm, friction {:.4g} J per cycle, "
-        "self-damping {:.4g} mW/m, damping ratio {:.4g}\n",
-        steady["cycles"].get<int>(), steady["frequency_Hz"].get<double>(),
-        1e3 * steady["antinode_amplitude_m"].get<double>(), steady["friction_dissipation_J"].get<double>(),
-        1e3 * steady["self_damping_W_per_m"].get<double>(), steady["damping_ratio"].get<double>());
-    text += steady.contains("numerical_share")
-                ? fmt::format("numerical part {:.3g} J per cycle: {:.3g} % of what friction and viscous damping take\n",
-                              steady["numerical_dissipation_J"].get<double>(),
-                              100 * steady["numerical_share"].get<double>())
-                : fmt::format("numerical part {:.3g} J per cycle; no friction or viscous damping\n",
-                              steady["numerical_dissipation_J"].get<double>());
+/// Results go to standard output: tables, the numbers to look at first, verdicts.
+void print_results(const study::CaseResult& result) {
+  for (const results::ShownTable& shown : result.shown) {
+    const auto table = std::ranges::find(result.tables, shown.table, &results::NamedTable::file);
+    if (table == result.tables.end() || table->table.rows() == 0) continue;
+    fmt::print("\n{}\n{}", shown.title, report::text_of(shown, table->table));
   }
-  for (const auto& loop : s.value("loops", nlohmann::ordered_json::array())) {
-    text += fmt::format("loop at {:.4g} kN, +-{:.4g} 1/m: area {:.6g} J/m, secant stiffness {:.6g} N m^2\n",
-                        loop["tension_N"].get<double>() / 1e3, loop["curvature_per_m"].get<double>(),
-                        loop["area_J_per_m"].get<double>(), loop["secant_stiffness_N_m2"].get<double>());
-  }
-  if (s.contains("frequencies_Hz")) {
-    int number = 0;
-    for (const auto& f : s["frequencies_Hz"]) text += fmt::format("mode {:2}: {:.5f} Hz\n", ++number, f.get<double>());
-  }
-  return text;
+  if (!result.highlights.empty()) fmt::print("\n{}", report::text_of(result.highlights));
+  if (!result.verdicts.empty()) fmt::print("\n{}", verdict_table(result.verdicts));
+}
+
+/// Progress, plans and warnings go to standard error.
+study::Hooks hooks_of(const RunArguments& arguments, const std::filesystem::path& folder, report::Progress& progress) {
+  return {.stop = interrupted,
+          .progress = [&](double part, std::string_view what) { progress.update(part, what); },
+          .announce =
+              [quiet = arguments.quiet](std::string_view what) {
+                if (!quiet) fmt::print(stderr, "{}\n", what);
+              },
+          .folder = folder,
+          .resume = arguments.resume};
 }
 
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
-  const casefile::Scene scene = casefile::read_scene(arguments.file, arguments.overrides);
+  const casefile::Scene scene = read_noted(arguments.file, arguments.overrides);
+  study::prepare(scene);  // a case that cannot run leaves no folder
   const std::filesystem::path folder =
       arguments.out.empty() ? std::filesystem::path("results") / arguments.file.stem() : arguments.out;
   results::create_folder(folder);
+  const std::vector<std::string> earlier = results::files_of_earlier_run(folder);
   watch_for_interrupt();
 
   report::Progress progress({.out = &std::cerr, .terminal = report::stderr_is_terminal(), .quiet = arguments.quiet});
-  const study::Hooks hooks{.stop = interrupted,
-                           .progress = [&](double part, std::string_view what) { progress.update(part, what); },
-                           .announce =
-                               [&](std::string_view what) {
-                                 if (!arguments.quiet) fmt::print(stderr, "{}\n", what);
-                               },
-                           .folder = folder,
-                           .resume = arguments.resume};
   const std::filesystem::path checkpoint = folder / study::checkpoint_name;
   if (arguments.resume && !arguments.quiet) {
     const bool there = std::filesystem::exists(checkpoint);
     fmt::print(stderr, "{} {}\n", there ? "resuming from" : "starting from the beginning: there is no",
                checkpoint.string());
   }
-  const study::CaseResult result = study::run_case(scene, hooks);
+  const study::CaseResult result = study::run_case(scene, hooks_of(arguments, folder, progress));
   progress.finish();
-  write_results(folder, result);
+  write_results(folder, earlier, result);
   std::error_code ignored;  // a checkpoint that stays does no harm
   if (!result.ended_early) std::filesystem::remove(checkpoint, ignored);
+  if (arguments.report) report::write_report(folder);
 
+  if (!arguments.quiet && !arguments.json) print_results(result);
   if (!arguments.quiet) {
-    if (result.summary.contains("cycles")) fmt::print(stderr, "\n{}\n", report::cycle_table(result.summary["cycles"]));
-    fmt::print(stderr, "{}", headline(result.summary));
-    for (const auto& warning : result.summary["warnings"]) {
-      fmt::print(stderr, "warning: {}\n", warning.get<std::string>());
-    }
-    if (!result.verdicts.empty()) fmt::print(stderr, "\n{}", verdict_table(result.verdicts));
+    for (const std::string& warning : result.warnings) fmt::print(stderr, "warning: {}\n", warning);
     fmt::print(stderr, "results in {}\n", folder.string());
   }
   if (!result.message.empty()) fmt::print(stderr, "strandyn: {}\n", result.message);
-  if (arguments.json) fmt::print("{}\n", result.summary.dump(2));
+  if (arguments.json) fmt::print("{}\n", results::to_text(result.summary));
   return result.exit_code;
 }
 

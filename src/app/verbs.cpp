@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "strandyn/build/span.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/casefile/schema.hpp"
 #include "strandyn/conductor/catalogue.hpp"
 #include "strandyn/conductor/constants.hpp"
+#include "strandyn/report/outline.hpp"
 #include "strandyn/report/page.hpp"
 #include "strandyn/report/text_table.hpp"
+#include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
 
 namespace strandyn::app {
@@ -23,15 +24,22 @@ casefile::Scene scene_of(std::string_view conductor) {
 
 }  // namespace
 
+casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  casefile::Scene scene = casefile::read_scene(file, overrides);
+  for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+  return scene;
+}
+
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const casefile::Scene scene = casefile::read_scene(file, overrides);
-  build::check_buildable(scene);
-  fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::name_of(scene.analysis.type));
+  const casefile::Scene scene = read_noted(file, overrides);
+  study::prepare(scene);
+  fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::word_of(scene.analysis));
   return ExitCode::done;
 }
 
-ExitCode describe(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  fmt::print("{}\n", study::describe_case(casefile::read_scene(file, overrides)).dump(2));
+ExitCode describe(const RunArguments& arguments) {
+  const results::Value told = study::describe_case(read_noted(arguments.file, arguments.overrides));
+  fmt::print("{}\n", arguments.json ? results::to_text(told) : report::text_of(told));
   return ExitCode::done;
 }
 
@@ -65,7 +73,7 @@ ExitCode conductors(const std::string& name) {
 }
 
 ExitCode schema() {
-  fmt::print("{}\n", casefile::case_schema().dump(2));
+  fmt::print("{}\n", casefile::case_schema());
   return ExitCode::done;
 }
 

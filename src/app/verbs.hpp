@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "strandyn/casefile/scene.hpp"
 #include "strandyn/core/error.hpp"
 
 namespace strandyn::app {
@@ -16,6 +17,7 @@ struct RunArguments {
   bool json = false;
   bool quiet = false;
   bool resume = false;  ///< from the checkpoint in the results folder
+  bool report = false;  ///< make the page, too
 };
 
 struct VerifyArguments {
@@ -24,9 +26,12 @@ struct VerifyArguments {
   bool json = false;
 };
 
+/// Reads the case and prints its notes to standard error.
+casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
 ExitCode run(const RunArguments& arguments);
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);
-ExitCode describe(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+ExitCode describe(const RunArguments& arguments);
 ExitCode conductors(const std::string& name);
 ExitCode schema();
 ExitCode verify(const VerifyArguments& arguments);

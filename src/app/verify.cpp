@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "strandyn/report/text_table.hpp"
+#include "strandyn/results/json.hpp"
+#include "strandyn/results/record.hpp"
 #include "verbs.hpp"
 
 namespace strandyn::app {
@@ -12,23 +14,51 @@ namespace {
 
 using study::VerifiedCase;
 
-nlohmann::ordered_json verified_json(const std::vector<VerifiedCase>& cases) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const VerifiedCase& c : cases) {
-    nlohmann::ordered_json entry = {{"case", c.name}, {"title", c.title}, {"passed", c.passed()}};
-    if (!c.error.empty()) entry["error"] = c.error;
-    entry["quantities"] = nlohmann::ordered_json::array();
-    for (const casefile::Verdict& v : c.verdicts) {
-      nlohmann::ordered_json quantity = {{"quantity", v.path}, {"wanted", v.wanted}, {"found", v.found}};
-      if (v.digits) quantity["digits"] = *v.digits;
-      quantity["passed"] = v.passed;
-      quantity["source"] = v.source;
-      quantity["reason"] = v.reason;
-      entry["quantities"].push_back(quantity);
-    }
-    list.push_back(entry);
+/// A quantity as `verify --json` prints it.
+struct QuantityRow {
+  std::string quantity, wanted, found;
+  std::optional<double> digits{};
+  bool passed = false;
+  std::string source, reason;
+};
+template <class V>
+void members(V& v, QuantityRow& q) {
+  v.value("quantity", q.quantity, {.what = "path into the summary"});
+  v.value("wanted", q.wanted, {.what = "what the case expects"});
+  v.value("found", q.found, {.what = "what stands there"});
+  v.value("digits", q.digits, {.what = "correct decimal digits"});
+  v.value("passed", q.passed, {.what = "whether it holds"});
+  v.value("source", q.source, {.what = "where the expected value comes from"});
+  v.value("reason", q.reason, {.what = "why it must hold"});
+}
+struct CaseRow {
+  std::string name, title;
+  bool passed = false;
+  std::optional<std::string> error{};
+  std::vector<QuantityRow> quantities{};
+};
+template <class V>
+void members(V& v, CaseRow& c) {
+  v.value("case", c.name, {.what = "path below the folder of cases"});
+  v.value("title", c.title, {.what = "of the case"});
+  v.value("passed", c.passed, {.what = "whether all holds"});
+  v.value("error", c.error, {.what = "why it could not be run"});
+  v.list("quantities", c.quantities, {.what = "each entry of [accept]"});
+}
+
+CaseRow row_of(const VerifiedCase& c) {
+  CaseRow row{.name = c.name, .title = c.title, .passed = c.passed()};
+  if (!c.error.empty()) row.error = c.error;
+  for (const casefile::Verdict& v : c.verdicts) {
+    row.quantities.push_back({.quantity = v.path,
+                              .wanted = v.wanted,
+                              .found = v.found,
+                              .digits = v.digits,
+                              .passed = v.passed,
+                              .source = v.source,
+                              .reason = v.reason});
   }
-  return list;
+  return row;
 }
 
 void print_case(const VerifiedCase& c) {
@@ -59,7 +89,9 @@ ExitCode verify(const VerifyArguments& arguments) {
   if (cases.empty()) throw InputError("no case with an [accept] table has such a name; `ls cases` shows what there is");
   const auto passed = std::count_if(cases.begin(), cases.end(), [](const VerifiedCase& c) { return c.passed(); });
   if (arguments.json) {
-    fmt::print("{}\n", verified_json(cases).dump(2));
+    std::vector<CaseRow> rows;
+    for (const VerifiedCase& c : cases) rows.push_back(row_of(c));
+    fmt::print("{}\n", results::to_text(results::to_value(rows)));
   } else {
     for (const VerifiedCase& c : cases) print_case(c);
     fmt::print("\n{} of {} cases hold what they promise\n", passed, cases.size());

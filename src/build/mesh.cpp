@@ -20,8 +20,11 @@ double shortest_loop(const casefile::Scene& scene, double tension, double length
   for (const casefile::Load& load : scene.loads) consider(load);
   for (const casefile::Motion& motion : scene.motions) consider(motion);
   if (scene.initial) consider_mode(scene.initial->velocity_mode);
-  if (scene.analysis.type == casefile::AnalysisType::decay) consider_mode(scene.analysis.decay.mode);
-  if (scene.analysis.type == casefile::AnalysisType::modes) consider_mode(scene.analysis.modes.count);
+  std::visit(
+      [&](const auto& analysis) {
+        if constexpr (requires { analysis.highest_mode(); }) consider_mode(analysis.highest_mode());
+      },
+      scene.analysis);
   return shortest;
 }
 

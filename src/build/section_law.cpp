@@ -1,4 +1,9 @@
-#include "strandyn/build/span.hpp"
+#include "strandyn/build/section_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "strandyn/conductor/constants.hpp"
 #include "strandyn/section/compliant.hpp"
 #include "strandyn/section/linear_law.hpp"
@@ -8,26 +13,11 @@
 #include "strandyn/section/spatial_return_map.hpp"
 
 namespace strandyn::build {
-namespace {
-
-bool has_own_constants(const casefile::Scene& scene) {
-  return scene.section.law == casefile::Law::elastic || scene.section.law == casefile::Law::multilinear;
-}
-
-section::MultilinearSection multilinear_section(const casefile::Section& s) {
-  section::MultilinearSection out{
-      .EA = s.EA.value_or(0), .GJ = s.GJ.value_or(0), .EI = s.EI.value_or(0), .springs = {}};
-  for (const casefile::Spring& spring : s.springs)
-    out.springs.push_back({.stiffness = spring.stiffness, .yield = spring.yield});
-  return out;
-}
-
-}  // namespace
 
 SectionNumbers section_numbers(const casefile::Scene& scene) {
   SectionNumbers n;
   if (scene.conductor) n.diameter = scene.conductor->strand.outer_diameter();
-  if (has_own_constants(scene)) {
+  if (!casefile::needs_strand(scene.section.law)) {
     n.EA = scene.section.EA.value_or(0);
     n.GJ = scene.section.GJ.value_or(0);
     n.EI_min = n.EI_max = scene.section.EI.value_or(0);
@@ -43,53 +33,97 @@ SectionNumbers section_numbers(const casefile::Scene& scene) {
   return n;
 }
 
+namespace {
+
+using Made = std::shared_ptr<const section::Law>;
+
+struct Request {
+  const casefile::Scene& scene;
+  section::Dimension dimension;
+  const conductor::Strand* strand;  // null where the law needs none
+};
+
+template <double SectionNumbers::*EI>
+Made linear(const Request& r) {
+  const SectionNumbers n = section_numbers(r.scene);
+  return std::make_shared<section::LinearLaw>(
+      name_of(r.scene.section.law), r.dimension,
+      section::LinearStiffness{.EA = n.EA, .GJ = n.GJ, .C_AT = n.C_AT, .EI = n.*EI});
+}
+
+Made multilinear(const Request& r) {
+  const casefile::Section& s = r.scene.section;
+  section::MultilinearSection own{
+      .EA = s.EA.value_or(0), .GJ = s.GJ.value_or(0), .EI = s.EI.value_or(0), .springs = {}};
+  for (const casefile::Spring& spring : s.springs)
+    own.springs.push_back({.stiffness = spring.stiffness, .yield = spring.yield});
+  return std::make_shared<section::MultilinearLaw>(std::move(own), r.dimension);
+}
+
+Made masing(const Request& r) {
+  return std::make_shared<section::MasingLaw>(*r.strand);
+}
+
+Made return_map(const Request& r) {
+  const casefile::Section& s = r.scene.section;
+  if (r.dimension == section::Dimension::spatial) {
+    return std::make_shared<section::SpatialReturnMap>(
+        *r.strand, section::SpatialReturnMapOptions{.points = s.points, .axial_resultants = s.axial_resultants});
+  }
+  if (s.axial_resultants) {
+    casefile::refuse(r.scene.source, "section.axial_resultants", "a planar run leaves the bending part of N out",
+                     "use it in a section analysis");
+  }
+  return std::make_shared<section::PlanarReturnMap>(*r.strand, s.points);
+}
+
+Made compliant(const Request& r) {
+  const casefile::Section& s = r.scene.section;
+  const section::CompliantOptions options{
+      .points = s.points, .springs = s.contact_springs, .compliance_scale = s.compliance_scale};
+  if (const auto fault = section::find_fault(options)) {
+    casefile::refuse(r.scene.source, "section.law", *fault, "change contact_springs or compliance_scale");
+  }
+  return std::make_shared<section::CompliantLaw>(*r.strand, options);
+}
+
+/// All that a run knows of a law before it has one. A new law is a word in casefile/section.hpp and a row here.
+struct LawRow {
+  casefile::Law law;
+  Made (*make)(const Request&);
+  bool bends_in_space = true;  ///< else in one plane only
+  bool has_wires = false;      ///< answers section::Law::wires
+};
+
+constexpr LawRow laws[] = {{.law = casefile::Law::stick, .make = linear<&SectionNumbers::EI_max>},
+                           {.law = casefile::Law::slip, .make = linear<&SectionNumbers::EI_min>},
+                           {.law = casefile::Law::elastic, .make = linear<&SectionNumbers::EI_max>},
+                           {.law = casefile::Law::multilinear, .make = multilinear},
+                           {.law = casefile::Law::masing, .make = masing, .bends_in_space = false},
+                           {.law = casefile::Law::return_map, .make = return_map, .has_wires = true},
+                           {.law = casefile::Law::compliant, .make = compliant, .bends_in_space = false}};
+static_assert(std::size(laws) == choices<casefile::Law>.size(), "one row for each word");
+
+const LawRow& row_of(casefile::Law law) {
+  return *std::ranges::find(laws, law, &LawRow::law);
+}
+
+}  // namespace
+
+bool has_wires(casefile::Law law) {
+  return row_of(law).has_wires;
+}
+
 std::shared_ptr<const section::Law> build_law(const casefile::Scene& scene, section::Dimension dimension,
                                               const conductor::Strand* strand) {
-  const SectionNumbers n = section_numbers(scene);
-  const bool planar = dimension == section::Dimension::planar;
-  const auto linear = [&](const char* name, double EI) {
-    return std::make_shared<section::LinearLaw>(
-        name, dimension, section::LinearStiffness{.EA = n.EA, .GJ = n.GJ, .C_AT = n.C_AT, .EI = EI});
-  };
-  if (!strand && scene.conductor) strand = &scene.conductor->strand;
-  switch (scene.section.law) {
-    case casefile::Law::stick:
-      return linear("stick", n.EI_max);
-    case casefile::Law::slip:
-      return linear("slip", n.EI_min);
-    case casefile::Law::elastic:
-      return linear("elastic", n.EI_max);
-    case casefile::Law::multilinear:
-      return std::make_shared<section::MultilinearLaw>(multilinear_section(scene.section), dimension);
-    case casefile::Law::masing:
-      if (planar) return std::make_shared<section::MasingLaw>(*strand);
-      casefile::refuse(scene.source, "section.law", "\"masing\" bends in one plane only",
-                       "use return-map for twist or for bending about two axes");
-    case casefile::Law::return_map:
-      if (planar && !scene.section.axial_resultants) {
-        return std::make_shared<section::PlanarReturnMap>(*strand, scene.section.points);
-      }
-      if (planar) {
-        casefile::refuse(scene.source, "section.axial_resultants", "a planar run leaves the bending part of N out",
-                         "use it in a section analysis");
-      }
-      return std::make_shared<section::SpatialReturnMap>(
-          *strand, section::SpatialReturnMapOptions{.points = scene.section.points,
-                                                    .axial_resultants = scene.section.axial_resultants});
-    case casefile::Law::compliant:
-      break;
-  }
-  if (!planar) {
-    casefile::refuse(scene.source, "section.law", "\"compliant\" bends in one plane only",
+  const LawRow& row = row_of(scene.section.law);
+  if (!row.bends_in_space && dimension == section::Dimension::spatial) {
+    casefile::refuse(scene.source, "section.law",
+                     fmt::format("\"{}\" bends in one plane only", casefile::name_of(row.law)),
                      "use return-map for twist or for bending about two axes");
   }
-  const section::CompliantOptions options{.points = scene.section.points,
-                                          .springs = scene.section.contact_springs,
-                                          .compliance_scale = scene.section.compliance_scale};
-  if (const auto fault = section::find_fault(options)) {
-    casefile::refuse(scene.source, "section.law", *fault, "change contact_springs or compliance_scale");
-  }
-  return std::make_shared<section::CompliantLaw>(*strand, options);
+  if (!strand && scene.conductor) strand = &scene.conductor->strand;
+  return row.make({.scene = scene, .dimension = dimension, .strand = strand});
 }
 
 }  // namespace strandyn::build

@@ -8,18 +8,6 @@
 namespace strandyn::build {
 namespace {
 
-/// What the keys may ask for and this version cannot do yet.
-void refuse_what_is_missing(const casefile::Scene& scene) {
-  const auto refuse_key = [&](bool asked, const char* key, const char* wrong, const char* right) {
-    if (asked) casefile::refuse(scene.source, key, wrong, right);
-  };
-  refuse_key(scene.integrator.method != casefile::Method::ida && scene.integrator.step == casefile::StepRule::adaptive,
-             "integrator.step", "generalized-alpha takes steps of equal length",
-             "use \"fixed\" or \"auto\", or method = \"ida\"");
-  refuse_key(scene.integrator.checkpoint_every && scene.analysis.type == casefile::AnalysisType::transient,
-             "integrator.checkpoint_every_s", "a transient analysis writes no checkpoints", "leave the key out");
-}
-
 /// Which motion the scene asks for; refuses pairs of keys that contradict each other.
 model::Freedom freedom(const casefile::Scene& scene) {
   const casefile::Span& span = *scene.span;
@@ -107,20 +95,39 @@ void lay_out_polyline(const casefile::Scene& scene, const SectionNumbers& number
   model::lay_out(built.model, line);
 }
 
+ProportionalDamping damping_of(const casefile::Scene& scene, const BuiltSpan& built) {
+  ProportionalDamping damping;
+  for (const auto& [mode, ratio] : scene.damping.modal) {
+    damping.modes.push_back({.number = static_cast<int>(mode), .ratio = ratio});
+    require_modes(scene, built, damping.modes.back().number, "damping.modal");
+  }
+  if (!scene.damping.rayleigh) return damping;
+  damping.mass = scene.damping.rayleigh->mass;
+  damping.stiffness = scene.damping.rayleigh->stiffness;
+  const bool massless_rotations =
+      built.model.mass_matrix == model::MassMatrix::lumped && built.model.inertia.rotary == 0;
+  if (damping.stiffness > 0 && massless_rotations) {
+    casefile::refuse(scene.source, "damping.rayleigh",
+                     "rotations without inertia have no velocity that stiffness damping could act on",
+                     "give [span] mass = \"consistent\", or rotary_inertia = true");
+  }
+  return damping;
+}
+
 }  // namespace
 
-double wave_speed(const casefile::Scene& scene, double tension) {
-  return std::sqrt(tension / *casefile::mass_per_length(scene));
+double BuiltSpan::wave_speed() const {
+  return std::sqrt(tension / model.inertia.mass);
 }
 
 double loop_length(const casefile::Scene& scene, double tension, double frequency) {
-  return wave_speed(scene, tension) / (2 * frequency);
+  return std::sqrt(tension / *casefile::mass_per_length(scene)) / (2 * frequency);
 }
 
 BuiltSpan build_span(const casefile::Scene& scene) {
-  refuse_what_is_missing(scene);
   const SectionNumbers numbers = section_numbers(scene);
   BuiltSpan built;
+  built.numbers = numbers;
   built.model.freedom = freedom(scene);
   const bool spatial = model::is_spatial(built.model.freedom);
   built.model.law = build_law(scene, spatial ? section::Dimension::spatial : section::Dimension::planar);
@@ -130,13 +137,13 @@ BuiltSpan build_span(const casefile::Scene& scene) {
     lay_out_polyline(scene, numbers, built);
   }
   built.model.inertia = section_inertia(scene, numbers);
-  const bool lumped = scene.span->mass == casefile::MassMatrix::lumped;
-  built.model.mass_matrix = lumped ? model::MassMatrix::lumped : model::MassMatrix::consistent;
+  built.model.mass_matrix = scene.span->mass;
   built.model.drag = scene.damping.drag;
   add_supports(scene, built);
   add_loads(scene, built);
   add_motions(scene, built);
   add_bodies(scene, built);
+  built.damping = damping_of(scene, built);
   if (scene.span->gravity) {
     if (scene.span->nodes.empty()) {
       add_hanging_shape(scene, numbers, built);
@@ -148,15 +155,26 @@ BuiltSpan build_span(const casefile::Scene& scene) {
   return built;
 }
 
-void check_buildable(const casefile::Scene& scene) {
-  const bool section_only = scene.analysis.type == casefile::AnalysisType::section ||
-                            scene.analysis.type == casefile::AnalysisType::axial_torsion ||
-                            scene.analysis.type == casefile::AnalysisType::self_damping;
-  if (section_only) {
-    build_law(scene, scene.section.axial_resultants ? section::Dimension::spatial : section::Dimension::planar);
-  } else {
-    build_span(scene);
+void require_modes(const casefile::Scene& scene, const BuiltSpan& span, int number, const std::string& key) {
+  const model::Model& model = span.model;
+  std::size_t free = 0;
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    const auto holds = [&](const model::Support& support) {
+      return support.node == node && support.fixed[static_cast<std::size_t>(model::Unknown::y)];
+    };
+    const auto moves = [&](const model::PrescribedMotion& motion) {
+      return motion.node == node && motion.unknown == model::Unknown::y;
+    };
+    if (std::ranges::none_of(model.supports, holds) && std::ranges::none_of(model.motions, moves)) ++free;
   }
+  // The highest shape of a mesh is the mesh's own, and the solver leaves it out.
+  const int most = std::max(1, static_cast<int>(free) - 1);
+  if (number <= most) return;
+  casefile::refuse(
+      scene.source, key,
+      fmt::format("asks for mode {}, and a mesh of {} elements carries {} modes across the span at the most", number,
+                  model.elements.size(), most),
+      "give more [span] elements, or a lower mode");
 }
 
 }  // namespace strandyn::build

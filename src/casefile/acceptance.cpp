@@ -9,7 +9,7 @@
 namespace strandyn::casefile {
 namespace {
 
-using nlohmann::ordered_json;
+using results::Value;
 
 /// One step of a path: a key, an index, or a reduction over a list.
 struct Step {
@@ -59,15 +59,26 @@ std::variant<std::vector<Step>, std::string> parse_path(std::string_view path) {
   }
 }
 
-Found follow(const ordered_json& node, const std::vector<Step>& steps, std::size_t i, const std::string& here);
+Found follow(const Value& node, const std::vector<Step>& steps, std::size_t i, const std::string& here);
+
+/// What all entries of a list say of a member, where the list holds only some of them.
+std::optional<double> reduction(const results::Reductions& all, Step::Kind kind, const std::string& member) {
+  const auto found = all.members.find(member);
+  if (found == all.members.end()) return std::nullopt;
+  if (kind == Step::Kind::sum) return found->second.sum;
+  return kind == Step::Kind::max ? found->second.largest : found->second.least;
+}
 
 /// The largest, the smallest or the sum of what the rest of the path leads to in each element of a list.
-Found reduce(const ordered_json& list, const std::vector<Step>& steps, std::size_t i, const std::string& here) {
-  if (list.empty()) return {{}, fmt::format("`{}` is an empty list", here)};
+Found reduce(const Value& list, const std::vector<Step>& steps, std::size_t i, const std::string& here) {
+  if (list.entries().empty()) return {{}, fmt::format("`{}` is an empty list", here)};
+  if (list.of_all() && i + 2 == steps.size() && steps[i + 1].kind == Step::Kind::key) {
+    if (const auto x = reduction(*list.of_all(), steps[i].kind, steps[i + 1].key)) return {*x, {}};
+  }
   double result = 0;
-  for (std::size_t n = 0; n < list.size(); ++n) {
+  for (std::size_t n = 0; n < list.entries().size(); ++n) {
     const std::string element = fmt::format("{}[{}]", here, n);
-    const Found found = follow(list[n], steps, i + 1, element);
+    const Found found = follow(list.entries()[n], steps, i + 1, element);
     if (!found.value) return found;
     const double* x = std::get_if<double>(&*found.value);
     if (!x) return {{}, fmt::format("`{}` holds no number", element)};
@@ -82,32 +93,46 @@ Found reduce(const ordered_json& list, const std::vector<Step>& steps, std::size
   return {result, {}};
 }
 
+/// The place of an index in a list, of which the middle may have been left out.
+std::optional<std::size_t> place_of(const Value& list, int index) {
+  const auto kept = static_cast<long long>(list.entries().size());
+  const long long count = list.of_all() ? static_cast<long long>(list.of_all()->count) : kept;
+  const long long wanted = index < 0 ? count + index : index;
+  if (wanted < 0 || wanted >= count) return std::nullopt;
+  if (kept == count || wanted < kept / 2) return static_cast<std::size_t>(wanted);
+  const long long from_end = count - wanted;
+  if (from_end > kept - kept / 2) return std::nullopt;
+  return static_cast<std::size_t>(kept - from_end);
+}
+
 /// Follows the steps from `i` on; `here` is the path so far, for the text of a fault.
-Found follow(const ordered_json& node, const std::vector<Step>& steps, std::size_t i, const std::string& here) {
+Found follow(const Value& node, const std::vector<Step>& steps, std::size_t i, const std::string& here) {
   if (i == steps.size()) {
-    if (node.is_number()) return {node.get<double>(), {}};
-    if (node.is_boolean()) return {node.get<bool>(), {}};
-    if (node.is_string()) return {node.get<std::string>(), {}};
-    return {{}, fmt::format("`{}` is {}, no number", here, node.type_name())};
+    if (const auto x = node.number()) return {*x, {}};
+    if (const auto flag = node.flag()) return {*flag, {}};
+    if (const std::string* words = node.words()) return {*words, {}};
+    return {{}, fmt::format("`{}` is {}, no number", here, node.kind())};
   }
   const Step& step = steps[i];
   if (step.kind == Step::Kind::key) {
-    if (!node.is_object() || !node.contains(step.key)) {
-      return {{}, fmt::format("{} has no `{}`", here.empty() ? "the summary" : '`' + here + '`', step.key)};
-    }
-    return follow(node[step.key], steps, i + 1, here.empty() ? step.key : here + '.' + step.key);
+    const Value* member = node.find(step.key);
+    if (!member) return {{}, fmt::format("{} has no `{}`", here.empty() ? "the summary" : '`' + here + '`', step.key)};
+    return follow(*member, steps, i + 1, here.empty() ? step.key : here + '.' + step.key);
   }
-  if (!node.is_array()) return {{}, fmt::format("`{}` is no list", here)};
+  if (!node.is_list()) return {{}, fmt::format("`{}` is no list", here)};
   if (step.kind != Step::Kind::index) return reduce(node, steps, i, here);
-  const auto size = static_cast<long long>(node.size());
-  const long long index = step.index < 0 ? size + step.index : step.index;
-  if (index < 0 || index >= size) {
-    return {{}, fmt::format("`{}` has {} elements, no [{}]", here, size, step.index)};
+  const auto place = place_of(node, step.index);
+  if (!place) {
+    const std::size_t count = node.of_all() ? node.of_all()->count : node.entries().size();
+    return {{},
+            node.of_all()
+                ? fmt::format("`{}` keeps the first and the last of {} elements, no [{}]", here, count, step.index)
+                : fmt::format("`{}` has {} elements, no [{}]", here, count, step.index)};
   }
-  return follow(node[static_cast<std::size_t>(index)], steps, i + 1, fmt::format("{}[{}]", here, step.index));
+  return follow(node.entries()[*place], steps, i + 1, fmt::format("{}[{}]", here, step.index));
 }
 
-Found find(const std::string& path, const ordered_json& summary, int exit_code) {
+Found find(const std::string& path, const Value& summary, int exit_code) {
   if (path == "exit_code") return {static_cast<double>(exit_code), {}};
   const auto steps = parse_path(path);
   if (const std::string* fault = std::get_if<std::string>(&steps)) return {{}, *fault};
@@ -146,7 +171,7 @@ bool holds(const Criterion& c, const Scalar& value) {
 
 }  // namespace
 
-std::vector<Verdict> judge(const Acceptance& acceptance, const ordered_json& summary, int exit_code) {
+std::vector<Verdict> judge(const Acceptance& acceptance, const Value& summary, int exit_code) {
   std::vector<Verdict> verdicts;
   for (const Criterion& criterion : acceptance.criteria) {
     Verdict& verdict = verdicts.emplace_back();

@@ -1,4 +1,4 @@
-#include "declare.hpp"
+#include "strandyn/casefile/declare.hpp"
 
 #include <fmt/format.h>
 

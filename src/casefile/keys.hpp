@@ -8,11 +8,9 @@
 ///   table, tables, criteria         one table, an array of tables, the [accept] table
 ///   one_of                          keys that exclude each other
 ///   when                            keys that belong to some choices of an earlier key only
-/// The keys of the span and of what acts on it stand in keys_span.hpp, those of the self-damping study in
-/// keys_self_damping.hpp.
+/// The keys of the span and of what acts on it stand in keys_span.hpp, those of the analyses and of the section beside
+/// their structs.
 
-#include "declare.hpp"
-#include "keys_self_damping.hpp"
 #include "keys_span.hpp"
 #include "strandyn/casefile/scene.hpp"
 
@@ -71,54 +69,6 @@ void keys(V& v, Conductor& c) {
            {.help = "the rated tensile strength", .unit = units::kN, .above = 0});
 }
 
-// ---- [section]
-
-template <class V>
-void keys(V& v, Spring& s) {
-  v.number("stiffness_N_m2", s.stiffness,
-           {.help = "the bending stiffness of the spring before it yields",
-            .unit = units::N_m2,
-            .above = 0,
-            .required = true});
-  v.number("yield_per_m", s.yield,
-           {.help = "the curvature at which the spring yields", .unit = units::per_m, .above = 0, .required = true});
-}
-
-template <class V>
-void keys(V& v, Section& s) {
-  v.choice("law", s.law, {.help = "the law of the section"});
-  v.number("points", s.points, {.help = "the number of points per turn of the lay", .at_least = 4, .multiple_of = 4});
-  v.when("law", s.law, {Law::return_map}, [&] {
-    v.flag("axial_resultants", s.axial_resultants,
-           {.help = "whether the bending forces of the wires count in N and M1, the unsymmetric tangent (33)"});
-  });
-  v.when("law", s.law, {Law::compliant}, [&] {
-    v.number(
-        "contact_springs", s.contact_springs,
-        {.help = "the number of springs that stand for the slip curve of a contact", .at_least = 4, .at_most = 64});
-    v.number("compliance_scale", s.compliance_scale,
-             {.help = "the factor on the compliance of all contacts (1: Hertz; towards 0: return-map)", .above = 0});
-  });
-  v.when("law", s.law, {Law::elastic, Law::multilinear}, [&] {
-    v.number("EA_N", s.EA, {.help = "the axial stiffness", .unit = units::N, .above = 0, .required = true});
-    v.number("EI_N_m2", s.EI,
-             {.help = "the bending stiffness, under springs the part that never yields",
-              .unit = units::N_m2,
-              .at_least = 0,
-              .required = true});
-    v.number("GJ_N_m2", s.GJ, {.help = "the torsional stiffness", .unit = units::N_m2, .above = 0});
-    v.number("mass_kg_per_m", s.mass_per_length, {.help = "the mass per length", .unit = units::kg_per_m, .above = 0});
-    v.number("rotary_kg_m", s.rotary_inertia,
-             {.help = "the mass moment per length about an axis of bending", .unit = units::kg_m, .at_least = 0});
-    v.number("polar_kg_m", s.polar_inertia,
-             {.help = "the mass moment per length about the axis of the span", .unit = units::kg_m, .at_least = 0});
-  });
-  v.when("law", s.law, {Law::multilinear}, [&] {
-    v.tables("spring", s.springs,
-             {.help = "elastic-perfectly-plastic springs in parallel with EI_N_m2", .required = true});
-  });
-}
-
 // ---- [static], [integrator]
 
 template <class V>
@@ -166,130 +116,11 @@ void keys(V& v, Integrator& i) {
            {.help = "the wall time between checkpoints", .unit = units::s, .above = 0});
 }
 
-// ---- [analysis]
-
-template <class V>
-void keys(V& v, SectionAnalysis& a) {
-  v.one_of({"tension_kN", "tension_rts"}, {});
-  v.numbers("tension_kN", a.tensions, {.help = "the tension, or a list of them", .unit = units::kN, .at_least = 0});
-  v.numbers("tension_rts", a.tensions_rts,
-            {.help = "the tension as a part of the rated strength, or a list of them", .at_least = 0, .at_most = 1});
-  v.one_of({"curvature_amplitudes_per_m", "curvature_over_chi_0", "path"}, {.required = true});
-  v.numbers("curvature_amplitudes_per_m", a.curvature_amplitudes,
-            {.help = "the amplitudes of symmetric cycles of curvature", .unit = units::per_m, .above = 0});
-  v.numbers("curvature_over_chi_0", a.relative_amplitudes,
-            {.help = "the same as multiples of the yield curvature chi_0 of each tension and friction", .above = 0});
-  v.numbers("frictions", a.frictions,
-            {.help = "friction coefficients of all contacts, each with loops of its own (else the conductor's)",
-             .at_least = 0});
-  v.flag("compare_residual_forces", a.compare_residual_forces,
-         {.help = "whether to run the same without residual forces beside it"});
-  v.numbers("wires_at_per_m", a.wires_at,
-            {.help = "curvatures of monotonic bending at which the forces of the wires are listed",
-             .unit = units::per_m,
-             .at_least = 0});
-  v.number("steps_per_cycle", a.steps_per_cycle, {.help = "the number of steps per cycle", .at_least = 8});
-  v.choice("twist", a.twist, {.help = "whether the section may twist"});
-  v.text("path", a.path,
-         {.help = "the name of a csv file, beside the case, with any of the columns axial_strain or tension_N, "
-                  "torsion_per_m, curvature_2_per_m, curvature_3_per_m"});
-}
-
-template <class V>
-void keys(V& v, AxialTorsionAnalysis& a) {
-  v.number("axial_strain", a.axial_strain, {.help = "the axial strain", .above = -1, .below = 1});
-}
-
-template <class V>
-void keys(V& v, StaticAnalysis& a) {
-  v.number(
-      "steps", a.steps,
-      {.help = "the number of equal steps to the full load or displacement, or the most arc steps", .at_least = 1});
-  v.numbers("slip_map_loads_N", a.slip_map_loads,
-            {.help = "loads, at which the slipping wires of the section at the loaded point are listed",
-             .unit = units::N,
-             .at_least = 0});
-}
-
-template <class V>
-void keys(V& v, ModesAnalysis& a) {
-  v.number("count", a.count, {.help = "the number of modes", .at_least = 1});
-  v.number("near_Hz", a.near_frequency,
-           {.help = "the frequency whose nearest modes are wanted (the lowest unless given)",
-            .unit = units::Hz,
-            .above = 0});
-}
-
-template <class V>
-void keys(V& v, DecayAnalysis& a) {
-  v.number("mode", a.mode, {.help = "the mode that decays", .at_least = 1, .required = true});
-  v.number("antinode_amplitude_mm", a.antinode_amplitude,
-           {.help = "the amplitude of its antinode at the start", .unit = units::mm, .above = 0});
-  v.number("cycles", a.cycles, {.help = "the number of cycles", .at_least = 1, .required = true});
-}
-
-template <class V>
-void keys(V& v, ForcedAnalysis& a) {
-  v.one_of({"cycles", "until"}, {.required = true});
-  v.number("cycles", a.cycles, {.help = "the number of cycles", .at_least = 1});
-  v.choice("until", a.until, {.help = "what ends the run"});
-}
-
-template <class V>
-void keys(V& v, TransientAnalysis& a) {
-  v.number("duration_s", a.duration,
-           {.help = "the time that is integrated", .unit = units::s, .above = 0, .required = true});
-  v.numbers(
-      "probes_m", a.probes,
-      {.help = "places whose motion is written, along the span (the right end and the loaded points unless given)",
-       .unit = units::m,
-       .at_least = 0});
-}
-
-template <class V>
-void keys(V& v, SweepAnalysis& a) {
-  v.number("relative_width", a.relative_width,
-           {.help = "how far the sweep reaches below and above the linear frequency, as a part of it",
-            .above = 0,
-            .below = 1});
-  v.number("from_Hz", a.from,
-           {.help = "the frequency where the sweep begins (from relative_width unless given)",
-            .unit = units::Hz,
-            .above = 0});
-  v.number("to_Hz", a.to,
-           {.help = "the frequency where it ends; it may lie below from_Hz", .unit = units::Hz, .above = 0});
-  v.number(
-      "frequency_step_Hz", a.frequency_step,
-      {.help = "the largest step of frequency (a fortieth of the way unless given)", .unit = units::Hz, .above = 0});
-  v.number(
-      "swing_step", a.swing_step,
-      {.help = "the largest change of the response from point to point, as a part of it", .above = 0, .at_most = 1});
-  v.number(
-      "backbone_points", a.backbone_points,
-      {.help = "the number of resonances that are solved, up to the amplitude that the drive reaches", .at_least = 1});
-  v.table("periodic", a.periodic, {.help = "how the periodic response is solved"});
-}
-
-template <class V>
-void keys(V& v, Analysis& a) {
-  using enum AnalysisType;
-  v.choice("type", a.type, {.help = "what is computed", .required = true});
-  v.when("type", a.type, {section}, [&] { keys(v, a.section); });
-  v.when("type", a.type, {axial_torsion}, [&] { keys(v, a.axial_torsion); });
-  v.when("type", a.type, {static_}, [&] { keys(v, a.static_); });
-  v.when("type", a.type, {modes}, [&] { keys(v, a.modes); });
-  v.when("type", a.type, {decay}, [&] { keys(v, a.decay); });
-  v.when("type", a.type, {forced}, [&] { keys(v, a.forced); });
-  v.when("type", a.type, {transient}, [&] { keys(v, a.transient); });
-  v.when("type", a.type, {sweep}, [&] { keys(v, a.sweep); });
-  v.when("type", a.type, {self_damping}, [&] { keys(v, a.self_damping); });
-}
-
 // ---- [accept], the file
 
 template <class V>
 void keys(V& v, Criterion& c) {
-  v.one_of({"expected", "below", "above"}, {.required = true});
+  v.one_of({"expected", "below", "above"}, {.required = true, .false_counts = true});
   v.scalar("expected", c.expected, {.help = "the expected value"});
   v.one_of({"relative", "absolute"}, {});
   v.number("relative", c.relative, {.help = "the deviation allowed, as a part of the expected value", .at_least = 0});

@@ -1,7 +1,6 @@
 #pragma once
 /// \file The keys of the span and of what acts on it; see keys.hpp.
 
-#include "declare.hpp"
 #include "strandyn/casefile/scene.hpp"
 
 namespace strandyn::casefile {

@@ -38,7 +38,9 @@ Scene read_scene_text(std::string_view text, const std::string& name, const std:
   const Document document = parse_document(text, name, overrides);
   Scene scene;
   scene.source = document.source;
-  Reader(document.source, document.root, "").read(scene);
+  std::vector<std::string> notes;
+  Reader(document.source, document.root, "", notes).read(scene);
+  scene.notes = std::move(notes);
   if (scene.title.empty()) scene.title = std::filesystem::path(name).stem().string();
   resolve_scene(scene);
   return scene;

@@ -29,26 +29,45 @@ bool Reader::overridden(std::string_view key) const {
   return entry && entry->overridden;
 }
 
-bool Reader::given(const char* key) const {
+bool Reader::given(const char* key, const OneOf& spec) const {
   const toml::node* node = table_.get(key);
-  return node && node->value_exact<bool>() != false;
+  return node && (spec.false_counts || node->value_exact<bool>() != false);
 }
 
-const toml::node* Reader::take(const char* key, bool required, const std::string& remedy) {
+const toml::node* Reader::under_either_name(const char* key, const char* old_name) const {
+  const toml::node* node = table_.get(key);
+  const toml::node* old = old_name ? table_.get(old_name) : nullptr;
+  if (!old) return node;
+  if (node && overridden(key) == overridden(old_name)) {
+    refuse(source_, path_of(old_name), fmt::format("is the old name of `{}`, and both are given", path_of(key)),
+           "remove one of the two");
+  }
+  if (node && overridden(key)) return node;
+  notes_.push_back(
+      fmt::format("{}: `{}` is now called `{}`", source_.place(path_of(old_name)), path_of(old_name), path_of(key)));
+  return old;
+}
+
+const toml::node* Reader::take(const char* key, bool required, const std::string& remedy, const char* old_name) {
   if (mode_ == Mode::list) {
     if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
+    if (old_name) old_names_.emplace_back(old_name);
     return nullptr;
   }
   if (mode_ == Mode::skip) {
-    Choices& choices_of_key = elsewhere_[key];
-    choices_of_key.selector = skipped_.selector;
-    choices_of_key.chosen = skipped_.chosen;
-    choices_of_key.names.insert(choices_of_key.names.end(), skipped_.names.begin(), skipped_.names.end());
+    for (const char* name : {key, old_name}) {
+      if (!name) continue;
+      Choices& choices_of_key = elsewhere_[name];
+      choices_of_key.selector = skipped_.selector;
+      choices_of_key.chosen = skipped_.chosen;
+      choices_of_key.names.insert(choices_of_key.names.end(), skipped_.names.begin(), skipped_.names.end());
+    }
     return nullptr;
   }
   taken_.insert(key);
+  if (old_name) taken_.insert(old_name);
   if (displaced_.contains(key)) return nullptr;
-  const toml::node* node = table_.get(key);
+  const toml::node* node = under_either_name(key, old_name);
   if (!node && required) refuse(source_, path_of(key), "is missing", remedy);
   return node;
 }
@@ -56,6 +75,7 @@ const toml::node* Reader::take(const char* key, bool required, const std::string
 void Reader::refuse_unknown_keys() const {
   for (const auto& [key, node] : table_) {
     if (std::ranges::find(known_, key.str()) != known_.end()) continue;
+    if (std::ranges::find(old_names_, key.str()) != old_names_.end()) continue;
     const std::string path = path_of(key.str());
     const auto near = near_word(key.str(), known_);
     const std::string remedy =
@@ -82,7 +102,7 @@ void Reader::one_of(std::initializer_list<const char*> group, const OneOf& spec)
   if (mode_ != Mode::read) return;
   std::vector<std::string> present, from_override;
   for (const char* key : group) {
-    if (!given(key)) continue;
+    if (!given(key, spec)) continue;
     present.emplace_back(key);
     if (overridden(key)) from_override.emplace_back(key);
   }
@@ -240,7 +260,7 @@ void Reader::catalogue(const char* key, Conductor& field, const Plain& spec) {
       }
     }
     const Document document = parse_document(entry.text, fmt::format("catalogue `{}`", name), {});
-    Reader(document.source, document.root, "").read(field);
+    Reader(document.source, document.root, "", notes_).read(field);
     field.catalogue = name;
     return;
   }
@@ -264,7 +284,7 @@ void Reader::criteria(const char* key, Acceptance& field, const Plain& spec) {
     }
     Criterion& criterion = field.criteria.emplace_back();
     criterion.path = quantity.str();
-    Reader(source_, *table, path).read(criterion);
+    Reader(source_, *table, path, notes_).read(criterion);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "keys.hpp"
@@ -36,9 +37,9 @@ using value_of = typename ValueOf<T>::type;
 
 class Reader {
  public:
-  /// `path` is the key path of the table, empty for the whole file.
-  Reader(const Source& source, const toml::table& table, std::string path)
-      : source_(source), table_(table), path_(std::move(path)) {}
+  /// `path` is the key path of the table, empty for the whole file. Old names that are used are told to `notes`.
+  Reader(const Source& source, const toml::table& table, std::string path, std::vector<std::string>& notes)
+      : source_(source), table_(table), path_(std::move(path)), notes_(notes) {}
 
   /// Reads the table: first which keys it knows, so that a slip of the pen is named before what it leaves missing.
   template <class T>
@@ -90,9 +91,10 @@ class Reader {
     using E = value_of<T>;
     std::vector<std::string> names;
     for (const auto& named : choices<E>) names.emplace_back(named.name);
-    const toml::node* node = take(key, spec.required, choice_remedy(spec, names));
+    const toml::node* node = take(key, spec.required, choice_remedy(spec, names), spec.old_name);
     if (!node) return;
-    const std::string word = to_choice(*node, path_of(key), spec, names);
+    const bool by_old_name = spec.old_name && table_.get(spec.old_name) == node;
+    const std::string word = to_choice(*node, path_of(by_old_name ? spec.old_name : key), spec, names);
     for (const auto& named : choices<E>) {
       if (named.name == word) field = named.value;
     }
@@ -123,9 +125,9 @@ class Reader {
     const toml::node* node = take(key, spec.required, table_remedy(key, spec));
     if (!node) return;
     if constexpr (is_optional<T>) {
-      Reader(source_, to_table(*node, path_of(key)), path_of(key)).read(field.emplace());
+      Reader(source_, to_table(*node, path_of(key)), path_of(key), notes_).read(field.emplace());
     } else {
-      Reader(source_, to_table(*node, path_of(key)), path_of(key)).read(field);
+      Reader(source_, to_table(*node, path_of(key)), path_of(key), notes_).read(field);
     }
   }
 
@@ -136,14 +138,24 @@ class Reader {
     field.clear();
     for (const toml::table* element : to_tables(*node, path_of(key))) {
       const std::string path = path_of(key) + index(field.size());
-      Reader(source_, *element, path).read(field.emplace_back());
+      Reader(source_, *element, path, notes_).read(field.emplace_back());
     }
   }
 
   void one_of(std::initializer_list<const char*> group, const OneOf& spec);
 
+  /// One of several kinds of a table: the word under `key` chooses it, and its keys follow.
+  template <class... Kinds>
+  void kinds(const char* key, std::variant<Kinds...>& field, const Plain& spec) {
+    const std::vector<std::string> names = {std::string(Kinds::word)...};
+    const toml::node* node = take(key, spec.required, choice_remedy(spec, names));
+    const std::string chosen = node ? to_choice(*node, path_of(key), spec, names) : names.front();
+    (read_kind<Kinds>(key, chosen, field), ...);
+  }
+
   template <class E, class Keys>
   void when(const char* selector, const E& value, std::initializer_list<E> wanted, Keys read_keys) {
+    const Mode before = mode_;
     if (mode_ == Mode::read) {
       bool chosen = false;
       for (const E choice : wanted) chosen = chosen || choice == value;
@@ -154,7 +166,7 @@ class Reader {
       }
     }
     read_keys();
-    if (mode_ == Mode::skip) mode_ = Mode::read;
+    mode_ = before;
   }
 
  private:
@@ -168,17 +180,33 @@ class Reader {
     std::vector<std::string> names;
   };
 
+  template <class Kind, class Variant>
+  void read_kind(const char* selector, const std::string& chosen, Variant& field) {
+    const Mode before = mode_;
+    const bool here = chosen == Kind::word;
+    if (mode_ == Mode::read && !here) {
+      mode_ = Mode::skip;
+      skipped_ = {selector, chosen, {std::string(Kind::word)}};
+    }
+    Kind kind{};
+    keys(*this, kind);
+    if (before == Mode::read && here) field = std::move(kind);
+    mode_ = before;
+  }
+
   static std::string index(std::size_t i) { return fmt::format("[{}]", i); }
   static std::string table_remedy(const char* key, const Plain& spec);
   static std::string choice_remedy(const Plain& spec, const std::vector<std::string>& names);
 
   std::string path_of(std::string_view key) const;
   bool overridden(std::string_view key) const;
-  /// Whether the file or an override gives the key; `per_length = false` gives nothing.
-  bool given(const char* key) const;
+  /// Whether the file or an override gives the key.
+  bool given(const char* key, const OneOf& spec) const;
 
   /// The node to read for a key, or nothing; refuses the absence of a required key.
-  const toml::node* take(const char* key, bool required, const std::string& remedy);
+  const toml::node* take(const char* key, bool required, const std::string& remedy, const char* old_name = nullptr);
+  /// The node under either name; an override wins over the file, and two of a kind are refused.
+  const toml::node* under_either_name(const char* key, const char* old_name) const;
   void refuse_unknown_keys() const;
   void refuse_keys_of_other_choices() const;
 
@@ -195,8 +223,10 @@ class Reader {
   const Source& source_;
   const toml::table& table_;
   std::string path_;
+  std::vector<std::string>& notes_;
   Mode mode_ = Mode::read;
   std::vector<std::string> known_;
+  std::vector<std::string> old_names_;
   std::set<std::string, std::less<>> taken_;
   std::set<std::string, std::less<>> displaced_;  ///< keys of the file that an override excludes
   Choices skipped_;

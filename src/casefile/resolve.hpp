@@ -16,7 +16,7 @@ void resolve_loads(Scene& scene);
 /// The checks of a sweep: its ends and its periodic response.
 void check_sweep(const Scene& scene);
 
-/// The checks of a self-damping study: what a point needs, what its roads need.
+/// The checks of a self-damping study: what a point needs, what its methods need.
 void check_self_damping(const Scene& scene);
 
 /// Fills what follows from other keys (all of the above, steps per cycle) and refuses what contradicts itself.

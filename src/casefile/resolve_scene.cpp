@@ -9,31 +9,65 @@
 namespace strandyn::casefile {
 namespace {
 
-bool is_strand_law(Law law) {
-  return law != Law::elastic && law != Law::multilinear;
+// What an analysis says of itself in its header; false where it says nothing.
+bool needs_span(const Analysis& analysis) {
+  return std::visit(
+      []<class A>(const A&) {
+        return requires {
+          requires A::needs_span;
+        };
+      },
+      analysis);
 }
-
-bool needs_span(AnalysisType type) {
-  return type != AnalysisType::section && type != AnalysisType::axial_torsion && type != AnalysisType::self_damping;
+bool needs_mass(const Analysis& analysis) {
+  return std::visit(
+      []<class A>(const A&) {
+        return requires {
+          requires A::needs_mass;
+        };
+      },
+      analysis);
 }
-
-bool is_dynamic(AnalysisType type) {
-  return type == AnalysisType::modes || type == AnalysisType::decay || type == AnalysisType::forced ||
-         type == AnalysisType::transient || type == AnalysisType::sweep;
+bool needs_conductor(const Analysis& analysis) {
+  return std::visit(
+      []<class A>(const A&) {
+        return requires {
+          requires A::needs_conductor;
+        };
+      },
+      analysis);
+}
+bool needs_drive(const Analysis& analysis) {
+  return std::visit(
+      []<class A>(const A&) {
+        return requires {
+          requires A::needs_drive;
+        };
+      },
+      analysis);
+}
+bool sets_tension(const Analysis& analysis) {
+  return std::visit(
+      []<class A>(const A&) {
+        return requires {
+          requires A::sets_tension;
+        };
+      },
+      analysis);
 }
 
 void check_tables(const Scene& scene) {
-  const std::string type = fmt::format("analysis.type = \"{}\"", name_of(scene.analysis.type));
-  if (!scene.conductor && is_strand_law(scene.section.law)) {
+  const std::string type = fmt::format("analysis.type = \"{}\"", word_of(scene.analysis));
+  if (!scene.conductor && needs_strand(scene.section.law)) {
     refuse(scene.source, "conductor",
            fmt::format("is missing, and section.law = \"{}\" needs one", name_of(scene.section.law)),
            "give [conductor] with a catalogue name or [[conductor.layer]] tables, or the law \"elastic\"");
   }
-  if (!scene.conductor && scene.analysis.type == AnalysisType::axial_torsion) {
+  if (!scene.conductor && needs_conductor(scene.analysis)) {
     refuse(scene.source, "conductor", fmt::format("is missing, and {} needs one", type),
            "give [conductor] with a catalogue name or [[conductor.layer]] tables");
   }
-  if (!scene.span && needs_span(scene.analysis.type)) {
+  if (!scene.span && needs_span(scene.analysis)) {
     refuse(scene.source, "span", fmt::format("is missing, and {} needs one", type),
            "give [span] with length_m and a tension");
   }
@@ -97,19 +131,18 @@ void check_span(const Scene& scene) {
         refuse(scene.source, path, "leaves the plane of x and y", "set z to 0, or give dimension = \"spatial\"");
       }
     }
-  } else if (!span.tension && !span.tension_rts && !span.unstressed_length &&
-             scene.analysis.type != AnalysisType::self_damping) {  // which has tensions of its own
+  } else if (!span.tension && !span.tension_rts && !span.unstressed_length && !sets_tension(scene.analysis)) {
     refuse(scene.source, "span", "its tension is missing",
            "give exactly one of tension_kN (0 for none), tension_rts, unstressed_length_m");
   }
   check_what_is_left_out(scene);
-  if ((is_dynamic(scene.analysis.type) || span.gravity) && !mass_per_length(scene)) {
+  if ((needs_mass(scene.analysis) || span.gravity) && !mass_per_length(scene)) {
     const char* path =
-        scene.conductor && is_strand_law(scene.section.law) ? "conductor.mass_kg_per_m" : "section.mass_kg_per_m";
+        scene.conductor && needs_strand(scene.section.law) ? "conductor.mass_kg_per_m" : "section.mass_kg_per_m";
     refuse(scene.source, path, "is missing, and the span needs a mass",
            "give the mass per length in kilograms per metre");
   }
-  if (!is_strand_law(scene.section.law) && span.dimension == Dimension::spatial && span.torsion && !scene.section.GJ) {
+  if (!needs_strand(scene.section.law) && span.dimension == Dimension::spatial && span.torsion && !scene.section.GJ) {
     refuse(scene.source, "section.GJ_N_m2", "is missing, and the span twists",
            "give the torsional stiffness in N m^2, or span.torsion = false");
   }
@@ -131,15 +164,15 @@ void check_first_force(const Scene& scene, const char* key_path) {
 }
 
 void check_static(const Scene& scene) {
-  if (scene.analysis.type != AnalysisType::static_) return;
+  if (!scene.is<StaticAnalysis>()) return;
   const auto grows = [](const Load& load) { return load.type == LoadType::static_force && load.value() != 0; };
   if (scene.static_.control != Control::load && std::ranges::none_of(scene.loads, grows)) {
     refuse(scene.source, "static.control", "needs a load that is not 0",
            "give a [[load]] with type = \"static-force\", or control = \"load\"");
   }
   if (scene.static_.control == Control::displacement) check_first_force(scene, "static.control");
-  if (scene.analysis.static_.slip_map_loads.empty()) return;
-  if (!is_strand_law(scene.section.law)) {
+  if (scene.as<StaticAnalysis>().slip_map_loads.empty()) return;
+  if (!needs_strand(scene.section.law)) {
     refuse(scene.source, "analysis.slip_map_loads_N",
            fmt::format("asks for wires, and section.law = \"{}\" has none", name_of(scene.section.law)),
            "remove it, or choose a law of strands such as \"return-map\"");
@@ -148,12 +181,12 @@ void check_static(const Scene& scene) {
 }
 
 void check_transient(const Scene& scene) {
-  if (scene.analysis.type != AnalysisType::transient) return;
+  if (!scene.is<TransientAnalysis>()) return;
   if (scene.integrator.step == StepRule::fixed && !scene.integrator.step_size) {
     refuse(scene.source, "integrator.step_s", "is missing, and analysis.type = \"transient\" has no cycle to divide",
            "give the time step in seconds");
   }
-  const std::vector<double>& probes = scene.analysis.transient.probes;
+  const std::vector<double>& probes = scene.as<TransientAnalysis>().probes;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (probes[i] <= scene.span->total_length() * (1 + 1e-12)) continue;
     refuse(scene.source, fmt::format("analysis.probes_m[{}]", i), "lies outside the span",
@@ -162,25 +195,23 @@ void check_transient(const Scene& scene) {
 }
 
 void check_analysis(const Scene& scene) {
-  const Analysis& analysis = scene.analysis;
-  if (analysis.type == AnalysisType::section) {
-    const bool tension = !analysis.section.tensions.empty() || !analysis.section.tensions_rts.empty();
-    if (!analysis.section.tensions_rts.empty()) check_rated_strength(scene, "analysis.tension_rts");
-    if (!tension && !analysis.section.path) {
+  if (const auto* section = std::get_if<SectionAnalysis>(&scene.analysis)) {
+    const bool tension = !section->tensions.empty() || !section->tensions_rts.empty();
+    if (!section->tensions_rts.empty()) check_rated_strength(scene, "analysis.tension_rts");
+    if (!tension && !section->path) {
       refuse(scene.source, "analysis", "the tension of the section is missing",
              "give tension_kN or tension_rts, a number or a list");
     }
   }
-  if (analysis.type == AnalysisType::decay &&
-      analysis.decay.antinode_amplitude.has_value() == scene.initial.has_value()) {
+  if (const auto* decay = std::get_if<DecayAnalysis>(&scene.analysis);
+      decay && decay->antinode_amplitude.has_value() == scene.initial.has_value()) {
     refuse(scene.source, "analysis.antinode_amplitude_mm",
            scene.initial ? "excludes [initial], and both are given" : "is missing, and nothing else starts the motion",
            "give exactly one: antinode_amplitude_mm, or [initial] with a velocity");
   }
   const bool cycle = std::ranges::count(scene.loads, LoadType::harmonic_force, &Load::type) > 0 ||
                      std::ranges::count(scene.motions, MotionType::harmonic_motion, &Motion::type) > 0;
-  const bool driven = analysis.type == AnalysisType::forced || analysis.type == AnalysisType::sweep;
-  if (driven && !cycle) {
+  if (needs_drive(scene.analysis) && !cycle) {
     refuse(scene.source, "analysis.type", "has no load that sets the cycle",
            "give a [[load]] with type = \"harmonic-force\", or a [[motion]] with type = \"harmonic-motion\", and its "
            "frequency");
@@ -221,7 +252,7 @@ void resolve_scene(Scene& scene) {
   check_analysis(scene);
   Integrator& integrator = scene.integrator;
   // A bench compares small losses: it takes the method that damps least, unless the case names one.
-  if (scene.analysis.type == AnalysisType::self_damping && !scene.source.find("integrator.method")) {
+  if (scene.is<SelfDampingAnalysis>() && !scene.source.find("integrator.method")) {
     integrator.method = Method::generalized_alpha;
   }
   if (integrator.step == StepRule::fixed && !integrator.step_size && !integrator.steps_per_cycle) {

@@ -24,7 +24,7 @@ void need_diameter(const Scene& scene, const std::string& path) {
 }
 
 void check_grid(const Scene& scene) {
-  const SelfDampingAnalysis& a = scene.analysis.self_damping;
+  const SelfDampingAnalysis& a = scene.as<SelfDampingAnalysis>();
   const bool amplitudes =
       !a.amplitudes_over_diameter.empty() || !a.antinode_amplitudes.empty() || !a.antinode_velocities.empty();
   const bool tensions = !a.tensions_rts.empty() || !a.tensions.empty();
@@ -58,14 +58,14 @@ void check_grid(const Scene& scene) {
   }
 }
 
-void check_roads(const Scene& scene) {
-  const SelfDampingAnalysis& a = scene.analysis.self_damping;
-  const bool on_span = (a.mode_shape == ModeShape::clamped && a.takes(DampingRoad::quadrature)) ||
-                       a.takes(DampingRoad::periodic) || a.takes(DampingRoad::transient);
+void check_methods(const Scene& scene) {
+  const SelfDampingAnalysis& a = scene.as<SelfDampingAnalysis>();
+  const bool on_span = (a.mode_shape == ModeShape::clamped && a.takes(DampingMethod::quadrature)) ||
+                       a.takes(DampingMethod::periodic) || a.takes(DampingMethod::transient);
   if ((on_span || a.names_modes()) && !(scene.span && scene.span->length)) {
     refuse(scene.source, "span.length_m",
-           fmt::format("is missing, and {} needs it", on_span ? "the road of a point" : "the frequency of a mode"),
-           on_span ? "give [span] with length_m, or road = \"quadrature\" with mode_shape = \"sine\""
+           fmt::format("is missing, and {} needs it", on_span ? "the method of a point" : "the frequency of a mode"),
+           on_span ? "give [span] with length_m, or method = \"quadrature\" with mode_shape = \"sine\""
                    : "give [span] with length_m, or frequencies in hertz");
   }
   if (!mass_per_length(scene)) {
@@ -76,7 +76,7 @@ void check_roads(const Scene& scene) {
     need_rated_strength(scene, "analysis.foti_2018.chi_0_at_rated_strength_per_m");
   }
   const bool simplified =
-      a.takes(DampingRoad::foti_2018) || std::ranges::any_of(a.energy_balances, [](const EnergyBalanceKeys& balance) {
+      a.takes(DampingMethod::foti_2018) || std::ranges::any_of(a.energy_balances, [](const EnergyBalanceKeys& balance) {
         return balance.self_damping == BalancedBy::foti_2018;
       });
   const bool given = a.simplified.EI && a.simplified.chi_0_at_rated_strength;
@@ -94,7 +94,7 @@ void check_periodic(const PeriodicKeys& periodic, const Source& source) {
 }
 
 void check_balances(const Scene& scene) {
-  const SelfDampingAnalysis& a = scene.analysis.self_damping;
+  const SelfDampingAnalysis& a = scene.as<SelfDampingAnalysis>();
   for (std::size_t i = 0; i < a.energy_balances.size(); ++i) {
     const EnergyBalanceKeys& balance = a.energy_balances[i];
     const std::string path = fmt::format("analysis.energy_balance[{}]", i);
@@ -124,8 +124,8 @@ void check_balances(const Scene& scene) {
 }  // namespace
 
 void check_sweep(const Scene& scene) {
-  if (scene.analysis.type != AnalysisType::sweep) return;
-  const SweepAnalysis& sweep = scene.analysis.sweep;
+  if (!scene.is<SweepAnalysis>()) return;
+  const auto& sweep = scene.as<SweepAnalysis>();
   check_periodic(sweep.periodic, scene.source);
   if (sweep.from.has_value() != sweep.to.has_value()) {
     refuse(scene.source, sweep.from ? "analysis.from_Hz" : "analysis.to_Hz", "needs the other end of the sweep",
@@ -137,10 +137,10 @@ void check_sweep(const Scene& scene) {
 }
 
 void check_self_damping(const Scene& scene) {
-  if (scene.analysis.type != AnalysisType::self_damping) return;
+  if (!scene.is<SelfDampingAnalysis>()) return;
   check_grid(scene);
-  check_roads(scene);
-  check_periodic(scene.analysis.self_damping.periodic, scene.source);
+  check_methods(scene);
+  check_periodic(scene.as<SelfDampingAnalysis>().periodic, scene.source);
   check_balances(scene);
 }
 

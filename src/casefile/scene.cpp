@@ -27,8 +27,9 @@ std::optional<double> span_tension(const Scene& scene) {
 }
 
 std::vector<double> section_tensions(const Scene& scene) {
-  std::vector<double> tensions = scene.analysis.section.tensions;
-  for (const double part : scene.analysis.section.tensions_rts) tensions.push_back(part * rated_strength(scene));
+  const auto& section = scene.as<SectionAnalysis>();
+  std::vector<double> tensions = section.tensions;
+  for (const double part : section.tensions_rts) tensions.push_back(part * rated_strength(scene));
   return tensions;
 }
 
@@ -36,9 +37,9 @@ bool SelfDampingAnalysis::names_modes() const {
   return !modes.empty() || std::ranges::any_of(at, [](const DampingAt& point) { return point.mode.has_value(); });
 }
 
-bool SelfDampingAnalysis::takes(DampingRoad wanted) const {
-  if (has_grid() && road == wanted) return true;
-  return std::ranges::any_of(at, [&](const DampingAt& point) { return point.road.value_or(road) == wanted; });
+bool SelfDampingAnalysis::takes(DampingMethod wanted) const {
+  if (has_grid() && method == wanted) return true;
+  return std::ranges::any_of(at, [&](const DampingAt& point) { return point.method.value_or(method) == wanted; });
 }
 
 std::optional<std::size_t> first_static_force(const Scene& scene) {

@@ -2,19 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <initializer_list>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <type_traits>
 
-#include "json_number.hpp"
 #include "keys.hpp"
+#include "plain_number.hpp"
 #include "strandyn/conductor/catalogue.hpp"
 
 namespace strandyn::casefile {
 namespace {
 
 using nlohmann::ordered_json;
+
+ordered_json json_number(double x) {
+  const double y = plain_number(x);
+  if (is_whole(y)) return static_cast<std::int64_t>(y);
+  return y;
+}
 
 ordered_json number_schema(const Number& number, bool whole) {
   ordered_json schema = {{"type", whole ? "integer" : "number"}};
@@ -81,10 +89,12 @@ class SchemaWriter {
     ordered_json schema = choice_schema<E>();
     if (!spec.required) schema["default"] = name_of(value);
     add(key, schema, spec);
+    if (spec.old_name) add_old_name(key, choice_schema<E>(), spec);
   }
   template <class E>
   void choice(const char* key, const std::optional<E>&, const Plain& spec) {
     add(key, choice_schema<E>(), spec);
+    if (spec.old_name) add_old_name(key, choice_schema<E>(), spec);
   }
 
   template <class T>
@@ -130,6 +140,12 @@ class SchemaWriter {
     }
   }
 
+  template <class... Kinds>
+  void kinds(const char* key, const std::variant<Kinds...>&, const Plain& spec) {
+    add(key, {{"enum", {Kinds::word...}}}, spec);
+    (write_kind<Kinds>(key), ...);
+  }
+
   template <class E, class Keys>
   void when(const char* selector, const E& value, std::initializer_list<E> wanted, Keys write_keys) {
     ordered_json names = ordered_json::array();
@@ -138,6 +154,29 @@ class SchemaWriter {
       names.push_back(name_of(choice));
       by_default = by_default || choice == value;
     }
+    write_under(selector, names, by_default, write_keys);
+  }
+
+  template <class T>
+  static ordered_json write() {
+    SchemaWriter writer;
+    T fresh{};
+    keys(writer, fresh);
+    return writer.object();
+  }
+
+ private:
+  template <class Kind>
+  void write_kind(const char* selector) {
+    write_under(selector, ordered_json::array({Kind::word}), false, [&] {
+      Kind fresh{};
+      keys(*this, fresh);
+    });
+  }
+
+  /// Keys that stand under some words of an earlier key only, which may be left out where one of them is its default.
+  template <class Keys>
+  void write_under(const char* selector, const ordered_json& names, bool by_default, Keys write_keys) {
     ordered_json condition = {{"properties", {{selector, {{"enum", names}}}}}};
     if (!by_default) condition["required"] = {selector};
 
@@ -156,15 +195,11 @@ class SchemaWriter {
     if (!then.empty()) all_rules_.push_back({{"if", condition}, {"then", then}});
   }
 
-  template <class T>
-  static ordered_json write() {
-    SchemaWriter writer;
-    T fresh{};
-    keys(writer, fresh);
-    return writer.object();
+  void add_old_name(const char* key, ordered_json schema, const Plain& spec) {
+    schema["deprecated"] = true;
+    add(spec.old_name, std::move(schema), fmt::format("old name of `{}`", key), false);
   }
 
- private:
   void add(const char* key, ordered_json schema, const Plain& spec) {
     add(key, std::move(schema), spec.help, spec.required);
   }
@@ -206,12 +241,12 @@ void SchemaWriter::catalogue(const char* key, const Conductor&, const Plain& spe
 
 }  // namespace
 
-ordered_json case_schema() {
+std::string case_schema() {
   ordered_json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                          {"title", "A case of strandyn"},
                          {"description", "Units stand in the names of the keys."}};
   schema.update(SchemaWriter::write<Scene>());
-  return schema;
+  return schema.dump(2);
 }
 
 }  // namespace strandyn::casefile

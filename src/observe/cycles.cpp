@@ -51,7 +51,7 @@ void CycleObserver::step(const system::System& system, const StepRecord& record)
 
   const double rounding = 1e-9 * options_.period;
   for (;;) {
-    const double end = options_.period * static_cast<double>(cycles_.size() + 1);
+    const double end = options_.period * static_cast<double>(count_ + 1);
     if (record.time < end - rounding) break;
     const double part = std::clamp((end - time_before_) / (record.time - time_before_), 0.0, 1.0);
     end_cycle(interpolate(before_, ledger_.now(), part), end);
@@ -63,7 +63,7 @@ void CycleObserver::step(const system::System& system, const StepRecord& record)
 }
 
 void CycleObserver::archive(Archive& a) {
-  a(ledger_, before_, cycle_start_, time_before_, cycles_);
+  a(ledger_, before_, cycle_start_, time_before_, cycles_, count_);
   a(deflection_, curvature_, curvature_3_, friction_, kept_);
 }
 
@@ -98,6 +98,11 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
   kept_.push_back(std::move(points));
   if (kept_.size() > options_.kept) kept_.pop_front();
   cycles_.push_back(cycle);
+  ++count_;
+  // Cut in one piece now and then: a long run costs no memory.
+  if (cycles_.size() / 2 > options_.most)
+    cycles_.erase(cycles_.begin(), cycles_.end() - static_cast<std::ptrdiff_t>(options_.most));
+  if (options_.each) options_.each(cycle);
   cycle_start_ = at_end;
 }
 

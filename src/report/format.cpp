@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 namespace strandyn::report {
 namespace {
@@ -31,50 +30,6 @@ std::string superscript(int number) {
   for (const char c : std::to_string(std::abs(number))) out += digits[static_cast<std::size_t>(c - '0')];
   return out;
 }
-
-/// Unit suffixes of keys, the longer before those they end with.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 40> unit_suffixes = {{
-    {"_N_s_per_m2", "N s/m²"},
-    {"_N_s_per_m", "N s/m"},
-    {"_kg_per_m3", "kg/m³"},
-    {"_kg_per_m", "kg/m"},
-    {"_N_per_mm", "N/mm"},
-    {"_N_per_m", "N/m"},
-    {"_W_per_m", "W/m"},
-    {"_J_per_m", "J/m"},
-    {"_m_per_s", "m/s"},
-    {"_rad_per_m", "rad/m"},
-    {"_per_mm", "1/mm"},
-    {"_per_m", "1/m"},
-    {"_kg_m2", "kg m²"},
-    {"_N_m2", "N m²"},
-    {"_kN_m", "kN m"},
-    {"_N_m", "N m"},
-    {"_mm4", "mm⁴"},
-    {"_mm2", "mm²"},
-    {"_m4", "m⁴"},
-    {"_m2", "m²"},
-    {"_um", "µm"},
-    {"_mm", "mm"},
-    {"_km", "km"},
-    {"_m", "m"},
-    {"_MN", "MN"},
-    {"_kN", "kN"},
-    {"_N", "N"},
-    {"_mJ", "mJ"},
-    {"_J", "J"},
-    {"_mW", "mW"},
-    {"_W", "W"},
-    {"_Hz", "Hz"},
-    {"_ms", "ms"},
-    {"_s", "s"},
-    {"_deg", "°"},
-    {"_rad", "rad"},
-    {"_GPa", "GPa"},
-    {"_MPa", "MPa"},
-    {"_Pa", "Pa"},
-    {"_kg", "kg"},
-}};
 
 }  // namespace
 
@@ -115,23 +70,6 @@ Quantity quantity(double value, std::string_view unit, int digits) {
   if (!takes_prefix(unit)) return {typeset(value, digits), std::string(unit)};
   const Prefix prefix = prefix_for(value);
   return {typeset(value / prefix.factor, digits), std::string(prefix.symbol) + std::string(unit)};
-}
-
-Label label_of(std::string_view key) {
-  // Symbols of the section keep their underscore: they are names, not words.
-  const auto words = [](std::string_view name) {
-    std::string text(name);
-    if (!text.starts_with("EI_") && !text.starts_with("C_") && !text.starts_with("M_") && !text.starts_with("chi_")) {
-      std::replace(text.begin(), text.end(), '_', ' ');
-    }
-    return text;
-  };
-  for (const auto& [suffix, unit] : unit_suffixes) {
-    if (key.size() > suffix.size() && key.ends_with(suffix)) {
-      return {words(key.substr(0, key.size() - suffix.size())), std::string(unit)};
-    }
-  }
-  return {words(key), ""};
 }
 
 std::string duration(double seconds, bool tenths) {

@@ -4,79 +4,111 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <map>
+#include <type_traits>
 #include <utility>
 
-#include "strandyn/report/cycle_table.hpp"
 #include "strandyn/report/format.hpp"
 #include "strandyn/report/svg_plot.hpp"
+#include "strandyn/results/label.hpp"
+#include "strandyn/results/table.hpp"
 
 namespace strandyn::report {
 namespace {
 
-using nlohmann::ordered_json;
+using results::is_share;
+using results::Label;
+using results::label_of;
+using results::Value;
 
-/// A scalar, or a list of them, as it stands in the file.
-std::string as_written(const ordered_json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
-  if (value.is_array()) {
-    std::vector<std::string> parts;
-    for (const auto& item : value) parts.push_back(as_written(item));
-    return fmt::format("[{}]", fmt::join(parts, ", "));
-  }
-  return value.dump();
+bool is_whole(const Value& value) {
+  return value.visit([](const auto& data) {
+    using T = std::remove_cvref_t<decltype(data)>;
+    return std::integral<T> && !std::same_as<T, bool>;
+  });
+}
+
+/// A scalar, or a list of them, as it stands in the file; a long list by its beginning, deeper ones by their size.
+std::string as_in_file(const Value& value) {
+  constexpr std::size_t most_entries = 12;
+  if (value.is_null()) return "null";
+  if (const auto* words = value.words()) return *words;
+  if (const auto flag = value.flag()) return *flag ? "true" : "false";
+  if (const auto number = value.number()) return fmt::format("{}", *number);
+  if (is_list_of_objects(value)) return fmt::format("{} entries", value.entries().size());
+  const auto& entries = value.entries();
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < std::min(entries.size(), most_entries); ++i) parts.push_back(as_in_file(entries[i]));
+  if (entries.size() > most_entries) parts.push_back(fmt::format("… ({} in all)", entries.size()));
+  return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
 /// A value of a result, divided by the factor of its prefix; counts keep all their digits.
-std::string rounded(const ordered_json& value, double factor) {
+std::string rounded(const Value& value, double factor = 1, int digits = 4) {
+  constexpr std::size_t few = 6;
   if (value.is_null()) return "–";
-  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_number_integer() && factor == 1) return value.dump();
-  if (value.is_number()) return typeset(value.get<double>() / factor);
-  return as_written(value);
+  if (const auto flag = value.flag()) return *flag ? "yes" : "no";
+  const auto number = value.number();
+  if (number && !(is_whole(value) && factor == 1)) return typeset(*number / factor, digits);
+  if (value.entries().empty() || value.entries().size() > few || is_list_of_objects(value)) return as_in_file(value);
+  std::vector<std::string> parts;
+  for (const Value& entry : value.entries()) parts.push_back(rounded(entry, factor));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The prefix that suits the largest number of a column.
-Prefix prefix_of_column(const ordered_json& objects, const std::string& key, const std::string& unit) {
-  double largest = 0;
-  for (const auto& object : objects) {
-    const auto found = object.find(key);
-    if (found != object.end() && found->is_number()) largest = std::max(largest, std::abs(found->get<double>()));
-  }
-  return takes_prefix(unit) ? prefix_for(largest) : Prefix{1, ""};
-}
+/// All entries that are no objects, with their paths.
+using Flat = std::vector<std::pair<std::string, const Value*>>;
 
-/// An entry that html_list leaves to a table of its own.
-bool is_table(const ordered_json& value) {
-  return is_list_of_objects(value);
-}
-
-void add_entries(const ordered_json& object, const std::string& path, Wording wording, std::string& out) {
-  for (const auto& [key, value] : object.items()) {
-    if (is_table(value)) continue;
+void flatten(const Value& object, const std::string& path, Flat& out) {
+  for (const auto& [key, value] : object.members()) {
     if (value.is_object()) {
-      add_entries(value, path + key + ".", wording, out);
-      continue;
+      flatten(value, path + key + ".", out);
+    } else {
+      out.emplace_back(path + key, &value);
     }
-    Label label{path + key, ""};
-    std::string shown = as_written(value);
-    if (wording == Wording::result) {
-      const Label plain = label_of(key);
-      Quantity of_value{rounded(value, 1), plain.unit};
-      if (value.is_number_float()) of_value = quantity(value.get<double>(), plain.unit);
-      label = {path + plain.name, of_value.unit};
-      shown = of_value.number;
-    }
-    out += fmt::format("<div><dt>{}</dt><dd>{}{}</dd></div>\n", escaped(label.name), escaped(shown),
-                       label.unit.empty() ? "" : " <span class=\"unit\">" + escaped(label.unit) + "</span>");
   }
+}
+
+Flat flat(const Value& object) {
+  Flat out;
+  flatten(object, "", out);
+  return out;
+}
+
+const Value* find(const Flat& entries, const std::string& path) {
+  const auto found =
+      std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == path; });
+  return found == entries.end() ? nullptr : found->second;
+}
+
+std::string unit_span(const std::string& unit, std::string_view before) {
+  return unit.empty() ? "" : fmt::format("{}<span class=\"unit\">{}</span>", before, escaped(unit));
+}
+
+std::string entry_of(const std::string& path, const Value& value, const Wording& wording) {
+  std::string name = path;
+  Quantity shown{as_in_file(value), ""};
+  if (!wording.as_in_file) {
+    const Label label = label_of(path);
+    name = label.name;
+    shown = {rounded(value), label.unit};
+    if (const auto number = value.number(); number && is_share(path)) {
+      shown = {typeset(100 * *number, 3), "%"};
+    } else if (number && !is_whole(value)) {
+      shown = quantity(*number, label.unit);
+    }
+  }
+  return fmt::format("<div><dt>{}</dt><dd>{}{}</dd></div>\n", escaped(name), escaped(shown.number),
+                     unit_span(shown.unit, " "));
 }
 
 }  // namespace
 
-bool is_list_of_objects(const ordered_json& json) {
-  return json.is_array() && !json.empty() &&
-         std::all_of(json.begin(), json.end(), [](const auto& item) { return item.is_object(); });
+bool is_list_of_objects(const Value& value) {
+  const auto& entries = value.entries();
+  return !entries.empty() &&
+         std::all_of(entries.begin(), entries.end(), [](const Value& entry) { return entry.is_object(); });
 }
 
 std::string html(const HtmlTable& table) {
@@ -86,8 +118,7 @@ std::string html(const HtmlTable& table) {
   const auto kind = [&](std::size_t i) { return table.columns[i].words ? " class=\"words\"" : ""; };
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const auto& column = table.columns[i];
-    out += fmt::format("<th{}>{}{}</th>", kind(i), escaped(column.header),
-                       column.unit.empty() ? "" : "<span class=\"unit\">" + escaped(column.unit) + "</span>");
+    out += fmt::format("<th{}>{}{}</th>", kind(i), escaped(column.header), unit_span(column.unit, ""));
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
@@ -98,48 +129,86 @@ std::string html(const HtmlTable& table) {
   return out + "</tbody></table></div>\n";
 }
 
-HtmlTable table_of_objects(const ordered_json& objects, Wording wording, std::size_t most_rows) {
+HtmlTable table_of_objects(const Value& objects, const Wording& wording, std::size_t most_rows) {
+  std::vector<Flat> rows;
+  std::vector<std::string> paths;
+  for (const Value& object : objects.entries()) {
+    rows.push_back(flat(object));
+    for (const auto& [path, value] : rows.back()) {
+      if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+    }
+  }
   HtmlTable table;
-  std::vector<std::string> keys;
-  std::vector<double> factors;
-  for (const auto& object : objects) {
-    for (const auto& [key, value] : object.items()) {
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
+  std::vector<Prefix> prefixes;
+  const std::vector<Label> labels = results::labels_of(paths);
+  std::map<std::string, double> largest;  // by path, and of all energies of a unit
+  const auto rank = [&](std::size_t k) {
+    const bool energy = labels[k].unit.starts_with("J") || labels[k].unit.starts_with("W");
+    return energy ? labels[k].unit : paths[k];
+  };
+  for (const Flat& row : rows) {
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+      const Value* value = find(row, paths[k]);
+      if (value) largest[rank(k)] = std::max(largest[rank(k)], std::abs(value->number().value_or(0)));
     }
   }
-  for (const std::string& key : keys) {
-    const bool words = std::any_of(objects.begin(), objects.end(), [&](const auto& object) {
-      const auto found = object.find(key);
-      return found != object.end() && !found->is_number() && !found->is_null();
+  for (std::size_t k = 0; k < paths.size(); ++k) {
+    const bool words = std::any_of(rows.begin(), rows.end(), [&](const Flat& row) {
+      const Value* value = find(row, paths[k]);
+      return value && !value->number() && !value->is_null();
     });
-    if (wording == Wording::as_written) {
-      factors.push_back(1);
-      table.columns.push_back({.header = key, .words = words});
-      continue;
-    }
-    const Label label = label_of(key);
-    const Prefix prefix = prefix_of_column(objects, key, label.unit);
-    factors.push_back(prefix.factor);
-    table.columns.push_back({.header = label.name, .unit = std::string(prefix.symbol) + label.unit, .words = words});
+    const std::string unit = wording.as_in_file ? "" : labels[k].unit;
+    const bool share = !wording.as_in_file && is_share(paths[k]);
+    prefixes.push_back(share ? Prefix{0.01, ""} : takes_prefix(unit) ? prefix_for(largest[rank(k)]) : Prefix{});
+    table.columns.push_back({.header = wording.as_in_file ? paths[k] : labels[k].name,
+                             .unit = share ? std::string("%") : std::string(prefixes[k].symbol) + unit,
+                             .words = words});
   }
-  for (const std::size_t i : evenly_spaced(objects.size(), most_rows)) {
-    auto& row = table.rows.emplace_back();
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-      const auto found = objects[i].find(keys[k]);
-      if (found == objects[i].end()) {
-        row.emplace_back("–");
+  for (const std::size_t i : results::evenly_spaced(rows.size(), most_rows)) {
+    auto& cells = table.rows.emplace_back();
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+      const Value* value = find(rows[i], paths[k]);
+      const int digits = is_share(paths[k]) ? 3 : 4;
+      if (!value) {
+        cells.emplace_back("–");
+      } else if (wording.as_in_file) {
+        cells.push_back(as_in_file(*value));
+      } else if (wording.for_terminal && value->number() && !is_whole(*value)) {
+        cells.push_back(significant(*value->number() / prefixes[k].factor, digits));
       } else {
-        row.push_back(wording == Wording::as_written ? as_written(*found) : rounded(*found, factors[k]));
+        cells.push_back(rounded(*value, prefixes[k].factor, digits));
       }
     }
   }
   return table;
 }
 
-std::string html_list(const ordered_json& object, Wording wording) {
-  std::string entries;
-  add_entries(object, "", wording, entries);
-  return entries.empty() ? "" : "<dl>\n" + entries + "</dl>\n";
+std::string html_of_object(const Value& object, const Wording& wording) {
+  constexpr std::size_t most_rows = 50;
+  std::string list;
+  std::string tables;
+  for (const auto& [path, value] : flat(object)) {
+    const auto* skip = wording.left_out;
+    if (skip && std::find(skip->begin(), skip->end(), wording.path + path) != skip->end()) continue;
+    if (is_list_of_objects(*value)) {
+      const std::string name = wording.as_in_file ? "[[" + wording.path + path + "]]" : label_of(path).name;
+      tables += "<h4>" + escaped(name) + "</h4>\n" + html(table_of_objects(*value, wording, most_rows));
+    } else if (!value->is_list() || !value->entries().empty() || wording.as_in_file) {
+      list += entry_of(path, *value, wording);
+    }
+  }
+  return (list.empty() ? "" : "<dl>\n" + list + "</dl>\n") + tables;
+}
+
+std::string html_of_list(std::string_view name, const Value& list, std::size_t most_rows) {
+  Value rows = Value::list();
+  for (const Value& entry : list.entries()) {
+    Value row = Value::object();
+    row.set("number", rows.entries().size() + 1);
+    row.set(name, entry);
+    rows.append(std::move(row));
+  }
+  return html(table_of_objects(rows, {}, most_rows));
 }
 
 }  // namespace strandyn::report

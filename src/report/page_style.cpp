@@ -1,4 +1,4 @@
-#include "strandyn/report/page_style.hpp"
+#include "strandyn/report/html.hpp"
 
 namespace strandyn::report {
 
@@ -7,16 +7,10 @@ std::string_view page_style() {
   --paper: #fbfbfa; --card: #ffffff; --ink: #1b1f24; --muted: #616a75; --line: #e3e5e8; --accent: #1f6fc4;
   --good: #1a7f4b; --good-paper: #e4f4ea; --warn: #8a5a00; --warn-paper: #fff6e0; --warn-line: #e8b94a;
 }
-@media (prefers-color-scheme: dark) {
+@media screen and (prefers-color-scheme: dark) {
   :root {
     --paper: #121518; --card: #191d21; --ink: #e6e8eb; --muted: #98a1ac; --line: #2c3238; --accent: #6cb0f5;
     --good: #6fd39b; --good-paper: #16301f; --warn: #f0c463; --warn-paper: #2a2314; --warn-line: #8a6a1f;
-  }
-}
-@media print {
-  :root {
-    --paper: #ffffff; --card: #ffffff; --ink: #000000; --muted: #4a4f55; --line: #c9ccd0; --accent: #1f6fc4;
-    --good: #1a7f4b; --good-paper: #ffffff; --warn: #6b4600; --warn-paper: #ffffff; --warn-line: #b98a1e;
   }
 }
 * { box-sizing: border-box; }
@@ -35,13 +29,12 @@ h4 { margin: 14px 0 6px; font-size: 13.5px; font-weight: 600; }
 section { margin-top: 40px; }
 .facts { list-style: none; margin: 12px 0 0; padding: 0; display: flex; flex-wrap: wrap; color: var(--muted); }
 .facts li + li::before { content: "·"; margin: 0 9px; }
-.status { margin-left: 8px; padding: 1px 9px; border-radius: 99px; font-weight: 600; font-size: 12px; }
-.status { color: var(--warn); background: var(--warn-paper); }
+.status { margin-left: 8px; padding: 1px 9px; border-radius: 99px; font-weight: 600; font-size: 12px;
+  color: var(--warn); background: var(--warn-paper); }
 .status.good { color: var(--good); background: var(--good-paper); }
 .unit { color: var(--muted); font-weight: 400; }
 .note { margin: 8px 0 0; color: var(--muted); font-size: 13px; }
-dl { margin: 0; }
-dt { color: var(--muted); }
+dl { margin: 0; } dt { color: var(--muted); }
 dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
 section > dl:not(.cards) { columns: 2; column-gap: 48px; font-size: 14px; orphans: 1; widows: 1; }
 dl:not(.cards) > div {
@@ -51,8 +44,7 @@ dl:not(.cards) > div {
 dl:not(.cards) dd { text-align: right; }
 .cards { display: grid; grid-template-columns: repeat(auto-fill, minmax(165px, 1fr)); gap: 12px; }
 .cards > div, figure, .card { background: var(--card); border: 1px solid var(--line); border-radius: 10px; }
-.cards > div { display: flex; flex-direction: column; justify-content: space-between; }
-.cards > div { padding: 12px 14px 11px; break-inside: avoid; }
+.cards > div { display: flex; flex-direction: column; justify-content: space-between; padding: 12px 14px 11px; break-inside: avoid; }
 .cards dt { font-size: 13px; }
 .cards dd { margin-top: 2px; white-space: nowrap; font-size: 21px; line-height: 1.3; font-weight: 600; letter-spacing: -.01em; }
 .cards .unit { font-size: 14px; letter-spacing: 0; }
@@ -63,8 +55,7 @@ dl:not(.cards) dd { text-align: right; }
 figure { margin: 0; padding: 18px 20px 14px; break-inside: avoid; }
 figcaption { margin-top: 8px; color: var(--muted); font-size: 13px; line-height: 1.45; }
 .plot { display: block; width: 100%; height: auto; }
-.plot text { fill: var(--muted); font-family: inherit; }
-.plot .label { font-size: 12.5px; }
+.plot text { fill: var(--muted); font-family: inherit; font-size: 12.5px; }
 .plot .tick { font-size: 12px; font-variant-numeric: tabular-nums; }
 .plot .grid { stroke: var(--line); }
 .plot .axis { stroke: var(--muted); stroke-opacity: .65; }
@@ -77,7 +68,7 @@ th, td { padding: 5px 0 5px 18px; text-align: right; white-space: nowrap; border
 th:first-child, td:first-child { padding-left: 0; }
 th { font-weight: 600; vertical-align: bottom; border-bottom-color: var(--muted); }
 th .unit { display: block; }
-.words { text-align: left; }
+.words { text-align: left; white-space: normal; }
 .cards-of-case { columns: 2; column-gap: 16px; margin-top: 16px; font-size: 13.5px; }
 .card { padding: 14px 18px; margin-bottom: 16px; break-inside: avoid; }
 .card dl > div:last-child { border-bottom: 0; }

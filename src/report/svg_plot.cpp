@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <string_view>
 
-#include "strandyn/report/format.hpp"
+#include "svg_parts.hpp"
 
 namespace strandyn::report {
 namespace {
@@ -36,181 +33,38 @@ constexpr std::string_view standalone_style =
     ".plot .ink-fill{fill:#737c87}"
     "</style>";
 
-/// Width of a text in the wider ones of the common sans-serif faces: what is laid out with it never overlaps.
-double text_width(std::string_view text, double size) {
-  double em = 0;
-  for (const char c : text) {
-    if ((c & 0xC0) == 0x80) continue;
-    if (std::string_view("iljft.,:;'|()[]/ ").find(c) != std::string_view::npos) {
-      em += 0.36;
-    } else if (std::string_view("mwMW").find(c) != std::string_view::npos) {
-      em += 0.92;
-    } else {
-      const bool wide = (c >= 'A' && c <= 'Z') || (c & 0x80) != 0;  // a minus sign, a superscript, a Greek letter
-      em += wide ? 0.74 : 0.62;
-    }
-  }
-  return em * size;
-}
-
-std::string px(double value) {
-  std::string text = fmt::format("{:.2f}", value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text == "-0" ? "0" : text;
-}
-
-std::string hex(Colour colour) {
-  switch (colour) {
-    case Colour::blue:
-      return "#2f7fd1";
-    case Colour::orange:
-      return "#e0762b";
-    case Colour::green:
-      return "#2b9d6c";
-    case Colour::red:
-      return "#d64550";
-    case Colour::violet:
-      return "#8b66d6";
-    case Colour::teal:
-      return "#1f9aa8";
-    case Colour::grey:
-      return "#8b949e";
-    case Colour::ink:
-      break;
-  }
-  return {};
-}
-
-/// Attributes that paint a line or a shape in the colour of the series.
-std::string painted(const Series& series, std::string_view attribute) {
-  const std::string colour = series.custom_colour.empty() ? hex(series.colour) : series.custom_colour;
-  if (!colour.empty()) return fmt::format("{}=\"{}\"", attribute, colour);
-  return attribute == "fill" ? "class=\"ink-fill\"" : "class=\"ink\"";
-}
-
-struct Point {
-  double x = 0;
-  double y = 0;
-};
-
-/// One axis of the drawing: from values to pixels, and its ticks.
-class Scale {
- public:
-  Scale(const Axis& axis, Range data, int most_ticks) : log_(axis.log) {
-    const double largest = std::max(std::abs(data.low), std::abs(data.high));
-    if (takes_prefix(axis.unit)) prefix_ = prefix_for(largest);
-    const std::string unit = axis.unit.empty() ? "" : fmt::format("{}{}", prefix_.symbol, axis.unit);
-    title = axis.label + (unit.empty() ? "" : " (" + unit + ")");
-    range_ = {data.low / prefix_.factor, data.high / prefix_.factor};
-    if (log_) {
-      if (!axis.tight) range_ = {widened_down(range_.low), 1 / widened_down(1 / range_.high)};
-      ticks = log_ticks(range_);
-      if (std::count(ticks.labels.begin(), ticks.labels.end(), "") + 1 >= std::ssize(ticks.labels)) {
-        ticks = linear_ticks(range_, most_ticks);
-      }
-    } else {
-      if (!axis.tight) range_ = widened_to_steps(range_, most_ticks);
-      ticks = linear_ticks(range_, most_ticks);
-    }
-  }
-
-  void place(double from_px, double to_px) { from_ = from_px, to_ = to_px; }
-
-  /// Pixel of a value in the unit of the data.
-  double operator()(double value) const { return of_shown(value / prefix_.factor); }
-  /// Pixel of a value in the unit of the ticks.
-  double of_shown(double value) const {
-    const double share = log_
-                             ? (std::log(value) - std::log(range_.low)) / (std::log(range_.high) - std::log(range_.low))
-                             : (value - range_.low) / range_.width();
-    return from_ + share * (to_ - from_);
-  }
-  /// Pixel of zero, or of the end nearest to it.
-  double base() const { return log_ ? from_ : of_shown(std::clamp(0.0, range_.low, range_.high)); }
-  bool zero_inside() const { return !log_ && range_.low < 0 && range_.high > 0; }
-
-  std::string title;
-  Ticks ticks;
-
- private:
-  /// The next 1, 2 or 5 times a power of ten at or below the value.
-  static double widened_down(double value) {
-    const double power = std::pow(10, std::floor(std::log10(value) + 1e-9));
-    for (const double factor : {5.0, 2.0}) {
-      if (value >= factor * power * (1 - 1e-9)) return factor * power;
-    }
-    return power;
-  }
-
-  bool log_;
-  Prefix prefix_{1, ""};
-  Range range_;
-  double from_ = 0;
-  double to_ = 1;
-};
-
-bool is_shown(double value, const Axis& axis) {
-  return std::isfinite(value) && (!axis.log || value > 0);
-}
-
 /// Points of the series that the axes can show.
-std::vector<Point> shown_points(const Series& series, const Plot& plot) {
+std::vector<Point> shown_points(const std::vector<double>& x, const std::vector<double>& y, const Plot& plot) {
   std::vector<Point> points;
-  for (std::size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-    if (is_shown(series.x[i], plot.x) && is_shown(series.y[i], plot.y)) points.push_back({series.x[i], series.y[i]});
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (is_shown(x[i], plot.x) && is_shown(y[i], plot.y)) points.push_back({x[i], y[i]});
   }
   return points;
 }
 
-/// What the axis has to hold; never empty, never of no width.
-Range data_range(const std::vector<std::vector<Point>>& all, const Axis& axis, double Point::*coordinate) {
-  Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const auto& points : all) {
-    for (const Point& point : points) {
-      range.low = std::min(range.low, point.*coordinate);
-      range.high = std::max(range.high, point.*coordinate);
-    }
-  }
-  if (range.low > range.high) range = axis.log ? Range{1, 10} : Range{0, 1};
-  if (axis.from_zero && !axis.log) range = {std::min(range.low, 0.0), std::max(range.high, 0.0)};
-  const double largest = std::max(std::abs(range.low), std::abs(range.high));
-  if (range.width() <= 1e-9 * largest || largest == 0) {
-    if (axis.log) return {range.low / 2, range.high * 2};
-    const double half = largest == 0 ? 1 : 0.1 * largest;
-    return {range.low - half, range.high + half};
-  }
-  return range;
+std::vector<Point> pixels_of(const std::vector<Point>& points, const Scale& x, const Scale& y) {
+  std::vector<Point> pixels;
+  for (const Point& point : points) pixels.push_back({x(point.x), y(point.y)});
+  return pixels;
 }
 
-std::string text_at(Point at, std::string_view style, std::string_view anchor, std::string_view text) {
-  return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>\n", style, px(at.x), px(at.y),
-                     anchor, escaped(text));
-}
-
-std::string line_between(Point a, Point b, std::string_view style) {
-  return fmt::format("<line class=\"{}\" x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", style, px(a.x), px(a.y), px(b.x),
-                     px(b.y));
-}
-
-/// Path data through the points; those that fall on the same spot of the screen are drawn once.
-std::string path_data(const std::vector<Point>& pixels) {
-  constexpr double same_spot = 0.3;
-  std::string data;
-  Point last;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const bool ends = i == 0 || i + 1 == pixels.size();
-    if (!ends && std::hypot(pixels[i].x - last.x, pixels[i].y - last.y) < same_spot) continue;
-    last = pixels[i];
-    data += fmt::format("{}{} {}", i == 0 ? "M" : "L", px(last.x), px(last.y));
+std::string drawn_band(const Series& series, const std::vector<Point>& high, std::vector<Point> low) {
+  if (high.empty() || low.empty()) return {};
+  std::string out;
+  for (const std::vector<Point>* edge : std::initializer_list<const std::vector<Point>*>{&high, &low}) {
+    out += fmt::format("<path {} fill=\"none\" stroke-width=\"1\" d=\"{}\"/>\n", painted(series, "stroke"),
+                       path_data(*edge));
   }
-  return data;
+  std::reverse(low.begin(), low.end());
+  std::string back = path_data(low);
+  back.front() = 'L';
+  return fmt::format("<path {} fill-opacity=\".3\" d=\"{}{}Z\"/>\n", painted(series, "fill"), path_data(high), back) +
+         out;
 }
 
 std::string drawn(const Series& series, const std::vector<Point>& points, const Scale& x, const Scale& y) {
   if (points.empty()) return {};
-  std::vector<Point> pixels;
-  for (const Point& point : points) pixels.push_back({x(point.x), y(point.y)});
+  const std::vector<Point> pixels = pixels_of(points, x, y);
   std::string out;
   if (series.filled) {
     out += fmt::format("<path {} fill-opacity=\".16\" d=\"{}L{} {}L{} {}Z\"/>\n", painted(series, "fill"),
@@ -279,55 +133,15 @@ std::string drawn(const std::vector<LegendEntry>& row, Point at) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
-std::vector<std::string> ramp(std::size_t count) {
-  static constexpr std::array<std::array<double, 3>, 5> stops = {
-      {{47, 127, 209}, {124, 100, 214}, {190, 82, 170}, {217, 84, 100}, {224, 126, 43}}};
-  std::vector<std::string> colours;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double at = count == 1 ? 0 : 4.0 * static_cast<double>(i) / static_cast<double>(count - 1);
-    const auto stop = std::min<std::size_t>(static_cast<std::size_t>(at), 3);
-    std::array<int, 3> rgb{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double part = at - static_cast<double>(stop);
-      rgb[k] = static_cast<int>(std::lround(stops[stop][k] + part * (stops[stop + 1][k] - stops[stop][k])));
-    }
-    colours.push_back(fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]));
-  }
-  return colours;
-}
-
 std::string svg(const Plot& plot, SvgUse use) {
   std::vector<std::vector<Point>> points;
-  for (const Series& series : plot.series) points.push_back(shown_points(series, plot));
+  for (const Series& series : plot.series) points.push_back(shown_points(series.x, series.y, plot));
+  std::vector<std::vector<Point>> all = points;
+  for (const Series& series : plot.series) all.push_back(shown_points(series.x, series.low, plot));
+  if (plot.cells) all.push_back(shown_points(plot.cells->x, plot.cells->y, plot));
 
-  Scale x(plot.x, data_range(points, plot.x, &Point::x), plot.width / 85);
-  Scale y(plot.y, data_range(points, plot.y, &Point::y), plot.height / 55);
+  Scale x(plot.x, data_range(all, plot.x, &Point::x), plot.width / 85);
+  Scale y(plot.y, data_range(all, plot.y, &Point::y), plot.height / 55);
 
   // Margins follow what has to stand in them.
   double label_room = 0;
@@ -359,6 +173,7 @@ std::string svg(const Plot& plot, SvgUse use) {
   top += row_height;
   out += text_at({side, top - 6}, "label", "start", y.title);
   if (beside) out += drawn(legend[0], {right - width_of(legend[0]), top - 6});
+  if (plot.cells) out += colour_key(*plot.cells, {right, top - 6});
   top += 8;
   const double bottom = plot.height - (x.title.empty() ? 28.0 : 48.0);
   x.place(left, right);
@@ -379,13 +194,19 @@ std::string svg(const Plot& plot, SvgUse use) {
     out += line_between({left, at}, {right, at}, "grid");
     out += text_at({left - 9, at + 4}, "tick", "end", y.ticks.labels[i]);
   }
+  if (plot.cells) out += drawn(*plot.cells, plot, x, y, {left, top}, {right, bottom});
   out += line_between({left, bottom}, {right, bottom}, "axis");
   if (y.zero_inside()) out += line_between({left, y.of_shown(0)}, {right, y.of_shown(0)}, "axis");
   if (x.zero_inside()) out += line_between({x.of_shown(0), top}, {x.of_shown(0), bottom}, "axis");
   if (!x.title.empty()) out += text_at({(left + right) / 2, plot.height - 8.0}, "label", "middle", x.title);
 
   out += "<g stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
-  for (std::size_t i = 0; i < plot.series.size(); ++i) out += drawn(plot.series[i], points[i], x, y);
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const Series& series = plot.series[i];
+    out += series.low.empty()
+               ? drawn(series, points[i], x, y)
+               : drawn_band(series, pixels_of(points[i], x, y), pixels_of(all[plot.series.size() + i], x, y));
+  }
   out += "</g>\n</svg>\n";
   return out;
 }

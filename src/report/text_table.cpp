@@ -17,6 +17,16 @@ std::string padded(const std::string& text, int width, Align align) {
   return align == Align::right ? blanks + text : text + blanks;
 }
 
+std::vector<std::string> lines_from_below(std::string_view text) {
+  std::vector<std::string> lines;
+  for (auto end = text.rfind('\n'); end != std::string_view::npos; end = text.rfind('\n')) {
+    lines.emplace_back(text.substr(end + 1));
+    text = text.substr(0, end);
+  }
+  lines.emplace_back(text);
+  return lines;
+}
+
 }  // namespace
 
 std::string Cell::shown(int digits) const {
@@ -36,16 +46,19 @@ void TextTable::add_row(const std::vector<Cell>& row) {
 }
 
 std::string TextTable::str() const {
-  std::vector<std::string> headers;
+  std::vector<std::vector<std::string>> headers;  // from the last line up
   std::vector<std::string> units;
   std::vector<std::string> rules;
   std::vector<int> widths;
   bool has_units = false;
+  std::size_t header_lines = 1;
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    int width = std::max(shown_width(columns_[i].header), shown_width(columns_[i].unit));
+    headers.push_back(lines_from_below(columns_[i].header));
+    header_lines = std::max(header_lines, headers.back().size());
+    int width = shown_width(columns_[i].unit);
+    for (const std::string& line : headers.back()) width = std::max(width, shown_width(line));
     for (const auto& row : rows_) width = std::max(width, shown_width(row[i]));
     widths.push_back(width);
-    headers.push_back(columns_[i].header);
     units.push_back(columns_[i].unit);
     rules.emplace_back(static_cast<std::size_t>(width), '-');
     has_units = has_units || !columns_[i].unit.empty();
@@ -60,7 +73,11 @@ std::string TextTable::str() const {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
   };
-  add_line(headers);
+  for (std::size_t above = header_lines; above-- > 0;) {
+    std::vector<std::string> line;
+    for (const auto& header : headers) line.push_back(above < header.size() ? header[above] : "");
+    add_line(line);
+  }
   if (has_units) add_line(units);
   add_line(rules);
   for (const auto& row : rows_) add_line(row);

@@ -5,10 +5,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cmath>
 #include <fstream>
 #include <iterator>
-#include <optional>
 #include <system_error>
 
 #include "strandyn/core/error.hpp"
@@ -64,22 +62,6 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
-/// Where the first number stands that is not finite, as a path into the document.
-std::optional<std::string> find_non_finite(const nlohmann::ordered_json& json, const std::string& place) {
-  if (json.is_number_float() && !std::isfinite(json.get<double>())) return place;
-  if (json.is_array()) {
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      if (auto found = find_non_finite(json[i], fmt::format("{}[{}]", place, i))) return found;
-    }
-  }
-  if (json.is_object()) {
-    for (const auto& [key, value] : json.items()) {
-      if (auto found = find_non_finite(value, place.empty() ? key : place + "." + key)) return found;
-    }
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 void create_folder(const std::filesystem::path& path) {
@@ -102,14 +84,6 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   if (!file.is_open()) throw fail(errno);
   if (!file.write(content)) throw fail(errno);
   if (!file.rename_to(path)) throw fail(errno);
-}
-
-void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json) {
-  if (const auto place = find_non_finite(json, "")) {
-    throw FileError(fmt::format("refused to write {}: {} is not a finite number", path.string(),
-                                place->empty() ? "the document" : *place));
-  }
-  write_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 std::string read_file(const std::filesystem::path& path) {

@@ -104,6 +104,23 @@ const std::vector<double>& Table::column(std::string_view name) const {
   return columns_[static_cast<std::size_t>(found - names_.begin())];
 }
 
+std::vector<std::size_t> evenly_spaced(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> chosen;
+  const std::size_t n = std::min(count, most);
+  for (std::size_t i = 0; i < n; ++i) chosen.push_back(n == 1 ? count - 1 : (i * (count - 1) + (n - 1) / 2) / (n - 1));
+  return chosen;
+}
+
+Groups groups_of(const Table& table, const std::vector<std::string>& columns, const std::vector<std::size_t>& rows) {
+  Groups groups;
+  for (const std::size_t row : rows) {
+    std::vector<double> values;
+    for (const std::string& name : columns) values.push_back(table.column(name)[row]);
+    groups[values].push_back(row);
+  }
+  return groups;
+}
+
 void write_csv(const std::filesystem::path& path, const Table& table) {
   std::string text = fmt::format("{}\n", fmt::join(table.names(), ","));
   auto out = std::back_inserter(text);

@@ -12,10 +12,6 @@ using enum Component;
 
 namespace {
 
-kernel::Strains view(const Field& strains) {
-  return {.points = strains.points(), .eps = strains[axial].data(), .chi = strains[bending2].data()};
-}
-
 /// Phases for the angles of a quarter turn. An angle sees the amplitude times its cosine and loses with the cube of it:
 /// the springs of all angles, seen from the amplitude, are spread evenly over the grading, each by its part in the
 /// loss.
@@ -38,8 +34,9 @@ std::vector<double> phases_of(const std::vector<double>& cosine, double ratio) {
 constexpr double usual_strain = 1e-3;
 constexpr double least_load = 1e-9;  // [N/m]
 
-SlipCurve curve_of(const conductor::Interface& face, double load) {
-  return face.line ? SlipCurve::line(face.along.slip_logarithm(std::max(load, least_load))) : SlipCurve::spot();
+conductor::SlipCurve curve_of(const conductor::Interface& face, double load) {
+  return face.line ? conductor::SlipCurve::line(face.along.slip_logarithm(std::max(load, least_load)))
+                   : conductor::SlipCurve::spot();
 }
 
 }  // namespace
@@ -57,17 +54,17 @@ CompliantLaw::CompliantLaw(const conductor::Strand& strand, const CompliantOptio
   c_.springs = static_cast<std::size_t>(options.springs);
   c_.compliance_scale = options.compliance_scale;
   const std::vector<conductor::Interface> faces = conductor::interfaces(strand);
-  ChainPlan plan{.springs = options.springs, .smallest_slip = options.smallest_slip};
-  const std::vector<double> phases = phases_of(c_.planar.cosine, grading_ratio(plan));
+  conductor::ChainPlan plan{.springs = options.springs, .smallest_slip = options.smallest_slip};
+  const std::vector<double> phases = phases_of(c_.planar.cosine, conductor::grading_ratio(plan));
   const std::vector<conductor::ContactForces> usual =
       conductor::contact_forces(strand, conductor::axial_wire_forces(strand, usual_strain, 0));
 
   const auto contact = [&](std::size_t upper_layer, double share) {
     CompliantCoefficients::Contact side{.face = faces[upper_layer], .share = share, .chains = {}};
-    const SlipCurve curve = curve_of(side.face, usual[upper_layer].f_int);
+    const conductor::SlipCurve curve = curve_of(side.face, usual[upper_layer].f_int);
     for (double phase : phases) {
       plan.phase = phase;
-      side.chains.push_back(spring_chain(curve, plan));
+      side.chains.push_back(conductor::spring_chain(curve, plan));
     }
     return side;
   };
@@ -114,10 +111,8 @@ void contact_stiffness(const CompliantCoefficients& c, double strain, const Stif
 }  // namespace compliant_kernel
 
 History CompliantLaw::start(const Field& strains) const {
-  History history{.points = strains.points(), .data = {}};
-  const std::size_t blocks = padded(strains.points()) / block_lanes;
   const std::size_t block_size = compliant_kernel::rows_of_block(c_) * block_lanes;
-  history.data.assign(blocks * block_size, 0.0);
+  History history = kernel::blank_history(strains.points(), compliant_kernel::rows_of_block(c_));
   for (std::size_t i = 0; i < strains.points(); ++i) {
     double* rows = history.data.data() + i / block_lanes * block_size;
     rows[compliant_kernel::peak_strain * block_lanes + i % block_lanes] = strains[axial][i];
@@ -130,21 +125,13 @@ History CompliantLaw::start(const Field& strains) const {
 
 Effort CompliantLaw::respond(const History& history, const Field& strains, Field& stresses,
                              TangentField* tangents) const {
-  kernel::Response response{.N = stresses[axial].data(), .M = stresses[bending2].data()};
-  if (tangents) {
-    response.dM_dchi = (*tangents)(bending2, bending2).data();
-    response.dM_deps = (*tangents)(bending2, axial).data();
-    std::fill((*tangents)(axial, axial).begin(), (*tangents)(axial, axial).end(), c_.planar.EA);
-  }
-  compliant_kernel::respond(c_, history.data.data(), view(strains), response);
+  compliant_kernel::respond(c_, history.data.data(), kernel::planar_view(strains),
+                            kernel::planar_view(stresses, tangents, c_.planar.EA));
   return {.evaluations = strains.points(), .sweeps = strains.points()};
 }
 
 Effort CompliantLaw::commit(History& history, const Field& strains, StepEnergy& energy) const {
-  compliant_kernel::commit(c_, history.data.data(), view(strains),
-                           {.stored = energy.stored.data(),
-                            .dissipated = energy.dissipated.data(),
-                            .quadrature_error = energy.quadrature_error.data()});
+  compliant_kernel::commit(c_, history.data.data(), kernel::planar_view(strains), kernel::view(energy));
   return {.evaluations = strains.points(), .sweeps = strains.points()};
 }
 

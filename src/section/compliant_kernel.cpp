@@ -1,25 +1,21 @@
-// One source, compiled by Highway once per instruction set; the best that the machine has is chosen when it runs.
+// Highway reads this file once per instruction set; the best that the machine has is chosen when it runs.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "compliant_kernel.cpp"
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#endif
 #include "compliant_kernel.hpp"
 
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "contact_cascade-inl.hpp"
+#include "slip_energy-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::compliant_kernel {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace kernel::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, block_lanes>;
-using V = hn::Vec<Tag>;
-using Mask = hn::Mask<Tag>;
 using PlanarLayer = PlanarCoefficients::Layer;
 using Layer = CompliantCoefficients::Layer;
-constexpr Tag tag;
+using conductor::SpringChain;
 
 /// Newton's method ends after a handful of rounds; this many halvings would do without it.
 constexpr int most_rounds = 200;
@@ -27,34 +23,6 @@ constexpr int most_rounds = 200;
 constexpr double rounding_of_a_cell = 2e-15;
 /// A spring that stands at its limit counts as stuck, whatever the last digits say.
 constexpr double still_stuck = 1 + 1e-13;
-
-HWY_INLINE V set(double x) {
-  return hn::Set(tag, x);
-}
-
-/// A value with its derivatives by curvature and axial strain.
-struct Dual {
-  V value, chi, eps;
-
-  static Dual zero() {
-    const V z = hn::Zero(tag);
-    return {z, z, z};
-  }
-};
-
-HWY_INLINE Dual scaled(V factor, const Dual& x) {
-  return {hn::Mul(factor, x.value), hn::Mul(factor, x.chi), hn::Mul(factor, x.eps)};
-}
-
-HWY_INLINE Dual sum(const Dual& a, const Dual& b) {
-  return {hn::Add(a.value, b.value), hn::Add(a.chi, b.chi), hn::Add(a.eps, b.eps)};
-}
-
-HWY_INLINE Dual positive_part(const Dual& x) {
-  const Mask positive = hn::Gt(x.value, hn::Zero(tag));
-  return {hn::IfThenElseZero(positive, x.value), hn::IfThenElseZero(positive, x.chi),
-          hn::IfThenElseZero(positive, x.eps)};
-}
 
 /// What the march knows of the whole point.
 struct Point {
@@ -64,9 +32,10 @@ struct Point {
 };
 
 /// What does not change from cell to cell of a layer.
-struct LayerLoad {
-  Dual inner;    // kappa F_at + c_ext f_ext + c_int R_res
-  Dual outside;  // limit of the outer contact
+template <bool kTangent>
+struct Loads {
+  Dual<kTangent> inner;    // kappa F_at + c_ext f_ext + c_int R_res
+  Dual<kTangent> outside;  // limit of the outer contact
 };
 
 /// A cell under trial slip: the traction of its springs and how it changes.
@@ -89,7 +58,7 @@ HWY_INLINE void add_springs(const SpringChain& chain, const double* f, V K, V K_
     const V phi = set(chain.limit[i]);
     const V trial = hn::MulAdd(kappa, K_slip, hn::Load(tag, f));
     const V most = hn::Mul(phi, limit);
-    t.sum = hn::Add(t.sum, hn::Min(hn::Max(trial, hn::Neg(most)), most));
+    t.sum = hn::Add(t.sum, clip(trial, most));
     // A limit of zero holds nothing, not even a trial of zero.
     const Mask holds = hn::Lt(hn::Abs(trial), hn::Mul(phi, reach));
     kappa_elastic = hn::Add(kappa_elastic, hn::IfThenElseZero(holds, kappa));
@@ -181,7 +150,8 @@ HWY_INLINE Solution solve(const PlanarCoefficients& c, std::size_t springs, cons
 
 /// Derivatives of a solved cell's q: implicit in the slip.
 template <bool kTension>
-HWY_INLINE Dual derivatives(const Solution& s, const Cell& cell, V stick, const Dual& mu_inner, const Dual& outside) {
+HWY_INLINE Dual<true> derivatives(const Solution& s, const Cell& cell, V stick, const Dual<true>& mu_inner,
+                                  const Dual<true>& outside) {
   const V k_w = set(cell.layer.k_w);
   const V inside = hn::IfThenElseZero(s.closed, s.traction.sliding_inside);
   const V feedback = set(kTension ? cell.layer.feedback : -cell.layer.feedback);
@@ -195,26 +165,17 @@ HWY_INLINE Dual derivatives(const Solution& s, const Cell& cell, V stick, const 
   return {s.q, hn::Mul(q_chi, inverse), hn::Mul(q_eps, inverse)};
 }
 
-/// A quarter turn on its way from the neutral plane.
-struct Quarter {
-  Dual edge = Dual::zero();
-  Dual sum_of_force = Dual::zero();
-  Dual sum_of_moment = Dual::zero();
-};
-
-/// Solves one cell and goes on to the next. Without the tangent the derivatives stay zero and cost nothing that counts.
+/// Solves one cell and goes on to the next.
 template <bool kTension, bool kTangent>
-HWY_INLINE Solution advance(const CompliantCoefficients& c, const Cell& cell, const Point& at, const LayerLoad& load,
-                            Quarter& quarter) {
-  const V slope = set(cell.planar.slope);
-  Dual mu_inner = sum(scaled(set(cell.planar.mu_int), load.inner), scaled(slope, quarter.edge));
+HWY_INLINE Solution advance(const CompliantCoefficients& c, const Cell& cell, const Point& at,
+                            const Loads<kTangent>& load, Quarter<kTangent>& quarter) {
+  const auto mu_inner = sum(scaled(set(cell.planar.mu_int), load.inner), scaled(set(cell.planar.slope), quarter.edge));
   const Solution s = solve<kTension>(c.planar, c.springs, cell, at, mu_inner.value, load.outside.value);
-  Dual q{s.q, hn::Zero(tag), hn::Zero(tag)};
-  if constexpr (kTangent) {
-    q = derivatives<kTension>(s, cell, set(cell.cosine_stick(c.planar)), mu_inner, load.outside);
-  }
+  Dual<kTangent> q;
+  if constexpr (kTangent) q = derivatives<kTension>(s, cell, set(cell.cosine_stick(c.planar)), mu_inner, load.outside);
+  q.value = s.q;
   const V half = set(kTension ? cell.planar.half_step : -cell.planar.half_step);
-  const Dual middle = sum(scaled(half, q), quarter.edge);
+  const Dual<kTangent> middle = sum(scaled(half, q), quarter.edge);
   quarter.edge = sum(scaled(half, q), middle);
   quarter.sum_of_force = sum(quarter.sum_of_force, middle);
   quarter.sum_of_moment = sum(quarter.sum_of_moment, scaled(set(c.planar.cosine[cell.angle]), q));
@@ -223,32 +184,31 @@ HWY_INLINE Solution advance(const CompliantCoefficients& c, const Cell& cell, co
 
 /// The whole march of one register of points. `on_cell(cell, solution, at, limit_outside)` sees every cell.
 template <bool kTangent, class OnCell>
-HWY_INLINE Dual march(const CompliantCoefficients& c, const double* forces, V eps, const Point& at,
-                      const OnCell& on_cell) {
+HWY_INLINE Dual<kTangent> march(const CompliantCoefficients& c, const double* forces, V eps, const Point& at,
+                                const OnCell& on_cell) {
   const std::size_t cells = c.planar.cosine.size();
-  Dual moment = Dual::zero();
-  Dual f_int = Dual::zero();
+  auto moment = zero<kTangent>();
+  auto f_int = zero<kTangent>();
   for (std::size_t i = 0; i < c.layers.size(); ++i) {
     const Layer& layer = c.layers[i];
     const PlanarLayer& planar = c.planar.layers[i];
     const V own = set(planar.kappa * planar.force_per_strain);
-    const Dual outer_load = scaled(set(planar.c_ext * planar.next_layer_ratio), f_int);
-    LayerLoad load;
-    load.inner = sum({hn::MulAdd(own, eps, set(planar.inner_residual)), hn::Zero(tag), own}, outer_load);
-    load.outside = scaled(set(planar.mu_ext), outer_load);
-    Quarter tension, compression;
+    const auto outer = load_from_outside(planar, f_int);
+    const auto alone = dual<kTangent>(hn::MulAdd(own, eps, set(planar.inner_residual)), hn::Zero(tag), own);
+    const Loads<kTangent> load{.inner = sum(alone, outer), .outside = scaled(set(planar.mu_ext), outer)};
+    auto tension = Quarter<kTangent>::at_rest();
+    auto compression = Quarter<kTangent>::at_rest();
     const std::size_t size = layer.contacts * c.springs * block_lanes;
     for (std::size_t angle = 0; angle < cells; ++angle) {
       const Cell one{.planar = planar, .layer = layer, .angle = angle, .contact = 2 * i, .f = forces};
-      on_cell(one, advance<true, kTangent>(c, one, at, load, tension), load.outside.value);
+      on_cell(one, advance<true>(c, one, at, load, tension), load.outside.value);
       const Cell other{.planar = planar, .layer = layer, .angle = angle, .contact = 2 * i, .f = forces + size};
-      on_cell(other, advance<false, kTangent>(c, other, at, load, compression), load.outside.value);
+      on_cell(other, advance<false>(c, other, at, load, compression), load.outside.value);
       forces += 2 * size;
     }
     moment = sum(moment, scaled(set(planar.weight), sum(tension.sum_of_moment, compression.sum_of_moment)));
     const V mean = set(c.planar.mean_weight * planar.kappa);
-    const Dual inner = sum(load.inner, scaled(mean, sum(tension.sum_of_force, compression.sum_of_force)));
-    f_int = scaled(set(planar.inverse_c_int), positive_part(inner));
+    f_int = handed_inward(planar, sum(load.inner, scaled(mean, sum(tension.sum_of_force, compression.sum_of_force))));
   }
   return moment;
 }
@@ -277,33 +237,22 @@ struct ContactRows {
 
 template <bool kTangent>
 void respond_all(const CompliantCoefficients& c, const double* history, const Strains& strains, const Response& out) {
-  const std::size_t block_size = rows_of_block(c) * block_lanes;
   ContactRows contacts(c);
-  for (std::size_t first = 0; first < padded(strains.points); first += hn::Lanes(tag)) {
-    const double* row = history + first / block_lanes * block_size + first % block_lanes;
-    const V eps = hn::Load(tag, strains.eps + first);
-    const V chi = hn::Load(tag, strains.chi + first);
-    contacts.fill(c, row + peak_strain * block_lanes, strains.eps + first);
-    const V chi_step = hn::Sub(chi, hn::Load(tag, row + committed_chi * block_lanes));
-    const Dual M = march<kTangent>(c, row + scalar_rows * block_lanes, eps, contacts.seen_by(chi_step),
-                                   [](const Cell&, const Solution&, V) {});
-    hn::Store(hn::Mul(set(c.planar.EA), eps), tag, out.N + first);
-    hn::Store(hn::MulAdd(set(c.planar.EI_min), chi, M.value), tag, out.M + first);
-    if constexpr (kTangent) {
-      hn::Store(hn::Add(set(c.planar.EI_min), M.chi), tag, out.dM_dchi + first);
-      hn::Store(M.eps, tag, out.dM_deps + first);
-    }
+  for (const Register at : Registers{strains.points}) {
+    const Rows row{at.rows(history, rows_of_block(c))};
+    const V eps = at.load(strains.eps);
+    const V chi = at.load(strains.chi);
+    contacts.fill(c, row.at + peak_strain * block_lanes, strains.eps + at.first);
+    const V chi_step = hn::Sub(chi, row[committed_chi]);
+    answer(c.planar, out, at, eps, chi,
+           march<kTangent>(c, row.at + scalar_rows * block_lanes, eps, contacts.seen_by(chi_step),
+                           [](const Cell&, const Solution&, V) {}));
   }
 }
 
-/// Sums of the energies of a commit.
-struct Sums {
-  V stored, dissipated, trapezoid;
-};
-
 /// Moves the springs of one contact to their new forces; adds their energies, per k_w/k and in units of the weight.
 HWY_INLINE void settle(const SpringChain& chain, double* f, V K_before, V K, const Solution& s, V limit, V weight,
-                       Sums& sums) {
+                       SlipEnergy& sums) {
   const V zero = hn::Zero(tag);
   const V half = set(0.5);
   const auto inverse = [zero](V x) HWY_ATTR {
@@ -316,33 +265,30 @@ HWY_INLINE void settle(const SpringChain& chain, double* f, V K_before, V K, con
     const V before = hn::Load(tag, f);
     const V trial = hn::MulAdd(set(chain.stiffness[i]), hn::Mul(K, s.slip), before);
     const V most = hn::Mul(set(chain.limit[i]), limit);
-    const V now = hn::Min(hn::Max(trial, hn::Neg(most)), most);
+    const V now = clip(trial, most);
     const V part = hn::Mul(weight, set(1 / chain.stiffness[i]));
-    const V slide = hn::Mul(per_K, hn::Sub(trial, now));
-    const V at_end = hn::Mul(now, slide);
-    const V at_mean = hn::Mul(hn::Mul(half, hn::Add(now, before)), slide);
+    Slide slide = slide_of(before, trial, now, per_K);
     const V by_widening = hn::Mul(hn::Mul(half, widening), hn::Mul(before, before));
-    sums.dissipated = hn::MulAdd(part, hn::Add(hn::Max(at_end, at_mean), by_widening), sums.dissipated);
-    sums.trapezoid = hn::MulAdd(part, hn::Add(at_mean, by_widening), sums.trapezoid);
+    slide.loss = hn::Add(slide.loss, by_widening);
+    slide.trapezoid = hn::Add(slide.trapezoid, by_widening);
+    sums.lose(part, slide);
     sums.stored = hn::MulAdd(part, hn::Mul(hn::Mul(half, per_K), hn::Mul(now, now)), sums.stored);
     hn::Store(now, tag, f);
   }
 }
 
 void commit_here(const CompliantCoefficients& c, double* history, const Strains& strains, const Energies& out) {
-  const std::size_t block_size = rows_of_block(c) * block_lanes;
-  const V zero = hn::Zero(tag);
-  const V half = set(0.5);
   ContactRows contacts(c);
-  for (std::size_t first = 0; first < padded(strains.points); first += hn::Lanes(tag)) {
-    double* row = history + first / block_lanes * block_size + first % block_lanes;
+  for (const Register here : Registers{strains.points}) {
+    double* row = here.rows(history, rows_of_block(c));
     double* forces = row + scalar_rows * block_lanes;
-    const V eps = hn::Load(tag, strains.eps + first);
-    const V chi = hn::Load(tag, strains.chi + first);
-    contacts.fill(c, row + peak_strain * block_lanes, strains.eps + first);
-    const V chi_step = hn::Sub(chi, hn::Load(tag, row + committed_chi * block_lanes));
+    double* peak = row + peak_strain * block_lanes;
+    const V eps = here.load(strains.eps);
+    const V chi = here.load(strains.chi);
+    contacts.fill(c, peak, strains.eps + here.first);
+    const V chi_step = hn::Sub(chi, Rows{row}[committed_chi]);
 
-    Sums sums{zero, zero, zero};
+    SlipEnergy sums = SlipEnergy::zero();
     const auto settle_cell = [&](const Cell& cell, const Solution& s, V limit_outside) HWY_ATTR {
       const double per_k = 1 / cell.planar.k;
       const V weight = set(cell.planar.weight * cell.layer.k_w * per_k);
@@ -353,16 +299,14 @@ void commit_here(const CompliantCoefficients& c, double* history, const Strains&
         settle(chain, f, hn::Load(tag, contacts.before.data() + at), hn::Load(tag, contacts.now.data() + at), s,
                side == 0 ? s.limit_inside : limit_outside, weight, sums);
       }
-      sums.stored = hn::MulAdd(set(cell.planar.weight * per_k / 2), hn::Mul(s.q, s.q), sums.stored);
+      sums.store(set(cell.planar.weight * per_k / 2), s.q);
     };
     march<false>(c, forces, eps, contacts.seen_by(chi_step), settle_cell);
 
     hn::Store(chi, tag, row + committed_chi * block_lanes);
-    hn::Store(hn::Max(eps, hn::Load(tag, row + peak_strain * block_lanes)), tag, row + peak_strain * block_lanes);
-    const V linear = hn::MulAdd(hn::Mul(set(c.planar.EA), eps), eps, hn::Mul(hn::Mul(set(c.planar.EI_min), chi), chi));
-    hn::Store(hn::MulAdd(half, linear, sums.stored), tag, out.stored + first);
-    hn::Store(sums.dissipated, tag, out.dissipated + first);
-    hn::Store(hn::Max(zero, hn::Sub(sums.dissipated, sums.trapezoid)), tag, out.quadrature_error + first);
+    hn::Store(hn::Max(eps, hn::Load(tag, peak)), tag, peak);
+    book(out, here, twice_linear_energy(c.planar, eps, chi), sums.stored, sums.dissipated,
+         hn::Max(hn::Zero(tag), sums.quadrature_error()));
   }
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file The march of the compliant law over one batch, compiled once per instruction set (see compliant_kernel.cpp).
 
-#include "return_map_kernel.hpp"
+#include "batch_view.hpp"
 #include "strandyn/section/compliant.hpp"
 
 namespace strandyn::section::compliant_kernel {

@@ -1,32 +1,22 @@
-// One source, compiled by Highway once per instruction set; the best that the machine has is chosen when it runs.
+// Highway reads this file once per instruction set; the best that the machine has is chosen when it runs.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "masing_kernel.cpp"
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#endif
 #include "masing_kernel.hpp"
 
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
-
-// Per target, so after foreach_target.
-#include <hwy/contrib/math/math-inl.h>
 
 #include <numbers>
+
+#include "lanes-inl.hpp"
+// After the lanes: Highway reads its functions once per instruction set, too.
+#include <hwy/contrib/math/math-inl.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::masing_kernel {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace kernel::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, block_lanes>;
-using V = hn::Vec<Tag>;
-constexpr Tag tag;
 constexpr double no_zero = 1e-300;  // keeps 0/0 at 0
-
-HWY_INLINE V set(double x) {
-  return hn::Set(tag, x);
-}
 
 /// phi = atan2(s, c) and beta = pi/2 - phi for s, c >= 0, both to rounding: the smaller one is the arctangent.
 /// Without friction (c = 0) beta is zero, at h = 0 too.

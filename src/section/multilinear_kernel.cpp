@@ -1,44 +1,33 @@
-// One source, compiled by Highway once per instruction set; the best that the machine has is chosen when it runs.
+// Highway reads this file once per instruction set; the best that the machine has is chosen when it runs.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "multilinear_kernel.cpp"
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#endif
 #include "multilinear_kernel.hpp"
 
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
+
+#include "batch_view.hpp"
+#include "lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::multilinear_kernel {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace kernel::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, block_lanes>;
-using V = hn::Vec<Tag>;
-using Mask = hn::Mask<Tag>;
-constexpr Tag tag;
-
-HWY_INLINE V set(double x) {
-  return hn::Set(tag, x);
-}
-
-/// Where the register of points that begins at `first` finds its rows, in blocks of `block_rows` rows.
-HWY_INLINE std::size_t offset_of(std::size_t first, std::size_t block_rows) {
-  return first / block_lanes * block_rows * block_lanes + first % block_lanes;
-}
-
-HWY_INLINE void add_to(AlignedVector& sums, std::size_t first, V value) {
-  hn::Store(hn::Add(hn::Load(tag, sums.data() + first), value), tag, sums.data() + first);
+/// Adds what springs did to the energies of a step.
+HWY_INLINE void add_to(StepEnergy& energy, Register at, V twice_stored, V dissipated, V twice_error) {
+  const kernel::Energies sums = kernel::view(energy);
+  at.store(hn::Add(at.load(sums.stored), hn::Mul(set(0.5), twice_stored)), sums.stored);
+  at.store(hn::Add(at.load(sums.dissipated), dissipated), sums.dissipated);
+  at.store(hn::Add(at.load(sums.quadrature_error), hn::Mul(set(0.5), twice_error)), sums.quadrature_error);
 }
 
 template <bool kTangent>
 void respond_axis_all(const MultilinearSection& section, const double* history, std::size_t points, const double* chi,
                       const AxisResponse& out) {
   const V EI = set(section.EI);
-  for (std::size_t first = 0; first < padded(points); first += hn::Lanes(tag)) {
-    const double* row = history + offset_of(first, axis_rows(section));
-    const V chi_now = hn::Load(tag, chi + first);
+  for (const Register at : Registers{points}) {
+    const double* row = at.rows(history, axis_rows(section));
+    const V chi_now = at.load(chi);
     const V dchi = hn::Sub(chi_now, hn::Load(tag, row));
     V M = hn::Mul(EI, chi_now);
     V dM = EI;
@@ -47,12 +36,12 @@ void respond_axis_all(const MultilinearSection& section, const double* history, 
       const V k = set(spring.stiffness);
       const V y = set(spring.yield);
       const V trial = hn::Add(hn::Load(tag, row), dchi);
-      const V e = hn::Min(hn::Max(trial, hn::Neg(y)), y);
+      const V e = clip(trial, y);
       M = hn::MulAdd(k, e, M);
       if constexpr (kTangent) dM = hn::Add(dM, hn::IfThenElseZero(hn::Eq(e, trial), k));
     }
-    hn::Store(M, tag, out.M + first);
-    if constexpr (kTangent) hn::Store(dM, tag, out.dM_dchi + first);
+    at.store(M, out.M);
+    if constexpr (kTangent) at.store(dM, out.dM_dchi);
   }
 }
 
@@ -65,9 +54,9 @@ void respond_axis_here(const MultilinearSection& section, const double* history,
 void commit_axis_here(const MultilinearSection& section, double* history, std::size_t points, const double* chi,
                       StepEnergy& energy) {
   const V zero = hn::Zero(tag);
-  for (std::size_t first = 0; first < padded(points); first += hn::Lanes(tag)) {
-    double* row = history + offset_of(first, axis_rows(section));
-    const V chi_now = hn::Load(tag, chi + first);
+  for (const Register at : Registers{points}) {
+    double* row = at.rows(history, axis_rows(section));
+    const V chi_now = at.load(chi);
     const V dchi = hn::Sub(chi_now, hn::Load(tag, row));
     hn::Store(chi_now, tag, row);
     V twice_stored = zero;
@@ -78,16 +67,14 @@ void commit_axis_here(const MultilinearSection& section, double* history, std::s
       const V y = set(spring.yield);
       const V before = hn::Load(tag, row);
       const V trial = hn::Add(before, dchi);
-      const V e = hn::Min(hn::Max(trial, hn::Neg(y)), y);
+      const V e = clip(trial, y);
       const V k_slip = hn::Mul(set(spring.stiffness), hn::Sub(trial, e));
       twice_stored = hn::MulAdd(hn::Mul(set(spring.stiffness), e), e, twice_stored);
       dissipated = hn::MulAdd(e, k_slip, dissipated);
       twice_error = hn::MulAdd(hn::Sub(e, before), k_slip, twice_error);
       hn::Store(e, tag, row);
     }
-    add_to(energy.stored, first, hn::Mul(set(0.5), twice_stored));
-    add_to(energy.dissipated, first, dissipated);
-    add_to(energy.quadrature_error, first, hn::Mul(set(0.5), twice_error));
+    add_to(energy, at, twice_stored, dissipated, twice_error);
   }
 }
 
@@ -134,9 +121,9 @@ template <bool kTangent>
 void respond_pair_all(const MultilinearSection& section, const double* history, const Curvatures& chi,
                       const PairResponse& out) {
   const V EI = set(section.EI);
-  for (std::size_t first = 0; first < padded(chi.points); first += hn::Lanes(tag)) {
-    const double* row = history + offset_of(first, 2 * axis_rows(section));
-    const Pair chi_now{hn::Load(tag, chi.chi2 + first), hn::Load(tag, chi.chi3 + first)};
+  for (const Register at : Registers{chi.points}) {
+    const double* row = at.rows(history, 2 * axis_rows(section));
+    const Pair chi_now{at.load(chi.chi2), at.load(chi.chi3)};
     const Pair dchi = difference(chi_now, load_pair(row));
     Pair M{hn::Mul(EI, chi_now.axis2), hn::Mul(EI, chi_now.axis3)};
     V d22 = EI;
@@ -159,12 +146,12 @@ void respond_pair_all(const MultilinearSection& section, const double* history, 
         d33 = hn::MulAdd(k_scale, hn::NegMulAdd(n3, n3, set(1)), d33);
       }
     }
-    hn::Store(M.axis2, tag, out.M2 + first);
-    hn::Store(M.axis3, tag, out.M3 + first);
+    at.store(M.axis2, out.M2);
+    at.store(M.axis3, out.M3);
     if constexpr (kTangent) {
-      hn::Store(d22, tag, out.dM2_dchi2 + first);
-      hn::Store(d23, tag, out.dM2_dchi3 + first);
-      hn::Store(d33, tag, out.dM3_dchi3 + first);
+      at.store(d22, out.dM2_dchi2);
+      at.store(d23, out.dM2_dchi3);
+      at.store(d33, out.dM3_dchi3);
     }
   }
 }
@@ -177,9 +164,9 @@ void respond_pair_here(const MultilinearSection& section, const double* history,
 
 void commit_pair_here(const MultilinearSection& section, double* history, const Curvatures& chi, StepEnergy& energy) {
   const V zero = hn::Zero(tag);
-  for (std::size_t first = 0; first < padded(chi.points); first += hn::Lanes(tag)) {
-    double* row = history + offset_of(first, 2 * axis_rows(section));
-    const Pair chi_now{hn::Load(tag, chi.chi2 + first), hn::Load(tag, chi.chi3 + first)};
+  for (const Register at : Registers{chi.points}) {
+    double* row = at.rows(history, 2 * axis_rows(section));
+    const Pair chi_now{at.load(chi.chi2), at.load(chi.chi3)};
     const Pair dchi = difference(chi_now, load_pair(row));
     store_pair(chi_now, row);
     V twice_stored = zero;
@@ -197,9 +184,7 @@ void commit_pair_here(const MultilinearSection& section, double* history, const 
       twice_error = hn::MulAdd(k, hn::Max(zero, dot(difference(r.e, before), slip)), twice_error);
       store_pair(r.e, row);
     }
-    add_to(energy.stored, first, hn::Mul(set(0.5), twice_stored));
-    add_to(energy.dissipated, first, dissipated);
-    add_to(energy.quadrature_error, first, hn::Mul(set(0.5), twice_error));
+    add_to(energy, at, twice_stored, dissipated, twice_error);
   }
 }
 

@@ -11,14 +11,6 @@ namespace strandyn::section {
 
 using enum Component;
 
-namespace {
-
-kernel::Strains view(const Field& strains) {
-  return {.points = strains.points(), .eps = strains[axial].data(), .chi = strains[bending2].data()};
-}
-
-}  // namespace
-
 PlanarCoefficients planar_coefficients(const conductor::Strand& strand, int points) {
   const conductor::SectionConstants constants = conductor::section_constants(strand);
   const std::vector<conductor::ContactGeometry> contact = conductor::contact_geometry(strand);
@@ -68,19 +60,15 @@ PlanarCoefficients planar_coefficients(const conductor::Strand& strand, int poin
 }
 
 History PlanarReturnMap::start(const Field& strains) const {
-  History history{.points = strains.points(), .data = {}};
-  const std::size_t blocks = padded(strains.points()) / block_lanes;
-  const std::size_t block_size = kernel::rows_of_block(c_) * block_lanes;
-  history.data.assign(blocks * block_size, 0.0);
+  const std::size_t block_size = return_map_kernel::rows_of_block(c_) * block_lanes;
+  History history = kernel::blank_history(strains.points(), return_map_kernel::rows_of_block(c_));
   // A virgin point has an empty stick range: its first commit marches and finds the true one.
-  for (std::size_t block = 0; block < blocks; ++block) {
-    double* rows = history.data.data() + block * block_size;
-    for (std::size_t lane = 0; lane < block_lanes; ++lane) {
-      rows[kernel::stick_low * block_lanes + lane] = 1;
-      rows[kernel::stick_high * block_lanes + lane] = -1;
-      rows[kernel::stick_low_slack * block_lanes + lane] = 1;
-      rows[kernel::stick_high_slack * block_lanes + lane] = -1;
-    }
+  for (std::size_t block = 0; block < history.data.size(); block += block_size) {
+    double* rows = history.data.data() + block;
+    for (std::size_t row : {return_map_kernel::stick_low, return_map_kernel::stick_low_slack})
+      std::fill_n(rows + row * block_lanes, block_lanes, 1.0);
+    for (std::size_t row : {return_map_kernel::stick_high, return_map_kernel::stick_high_slack})
+      std::fill_n(rows + row * block_lanes, block_lanes, -1.0);
   }
   Field straight(Dimension::planar, strains.points());
   straight[axial] = strains[axial];
@@ -93,20 +81,15 @@ History PlanarReturnMap::start(const Field& strains) const {
 
 Effort PlanarReturnMap::respond(const History& history, const Field& strains, Field& stresses,
                                 TangentField* tangents) const {
-  kernel::Response response{.N = stresses[axial].data(), .M = stresses[bending2].data()};
-  if (tangents) {
-    response.dM_dchi = (*tangents)(bending2, bending2).data();
-    response.dM_deps = (*tangents)(bending2, axial).data();
-    std::fill((*tangents)(axial, axial).begin(), (*tangents)(axial, axial).end(), c_.EA);
-  }
-  return {.evaluations = strains.points(), .sweeps = kernel::respond(c_, history.data.data(), view(strains), response)};
+  return {.evaluations = strains.points(),
+          .sweeps = return_map_kernel::respond(c_, history.data.data(), kernel::planar_view(strains),
+                                               kernel::planar_view(stresses, tangents, c_.EA))};
 }
 
 Effort PlanarReturnMap::commit(History& history, const Field& strains, StepEnergy& energy) const {
-  const kernel::Energies energies{.stored = energy.stored.data(),
-                                  .dissipated = energy.dissipated.data(),
-                                  .quadrature_error = energy.quadrature_error.data()};
-  return {.evaluations = strains.points(), .sweeps = kernel::commit(c_, history.data.data(), view(strains), energies)};
+  return {
+      .evaluations = strains.points(),
+      .sweeps = return_map_kernel::commit(c_, history.data.data(), kernel::planar_view(strains), kernel::view(energy))};
 }
 
 }  // namespace strandyn::section

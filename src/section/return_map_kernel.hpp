@@ -1,9 +1,14 @@
 #pragma once
 /// \file The march of the return map over one batch, compiled once per instruction set (see return_map_kernel.cpp).
 
+#include "batch_view.hpp"
 #include "strandyn/section/return_map.hpp"
 
-namespace strandyn::section::kernel {
+namespace strandyn::section::return_map_kernel {
+
+using kernel::Energies;
+using kernel::Response;
+using kernel::Strains;
 
 /// Layout of a block of the history: these rows of `block_lanes` doubles, then per layer, outermost first, the
 /// gradients q of the tension side and of the compression side, one row per midpoint.
@@ -25,28 +30,9 @@ constexpr std::size_t rows_of_block(const PlanarCoefficients& c) {
   return scalar_rows + c.layers.size() * 2 * c.cosine.size();
 }
 
-struct Strains {
-  std::size_t points = 0;
-  const double* eps = nullptr;
-  const double* chi = nullptr;
-};
-
-struct Response {
-  double* N = nullptr;
-  double* M = nullptr;
-  double* dM_dchi = nullptr;  ///< null: no tangent asked for
-  double* dM_deps = nullptr;
-};
-
-struct Energies {
-  double* stored = nullptr;
-  double* dissipated = nullptr;
-  double* quadrature_error = nullptr;
-};
-
 /// Both return the number of points that had to march.
 std::size_t respond(const PlanarCoefficients& c, const double* history, const Strains& strains,
                     const Response& response);
 std::size_t commit(const PlanarCoefficients& c, double* history, const Strains& strains, const Energies& energies);
 
-}  // namespace strandyn::section::kernel
+}  // namespace strandyn::section::return_map_kernel

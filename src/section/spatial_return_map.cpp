@@ -63,13 +63,11 @@ SpatialCoefficients spatial_coefficients(const conductor::Strand& strand, const 
 }
 
 History SpatialReturnMap::start(const Field& strains) const {
-  History history{.points = strains.points(), .data = {}};
-  const std::size_t blocks = padded(strains.points()) / block_lanes;
   const std::size_t block_size = spatial_kernel::rows_of_block(c_) * block_lanes;
-  history.data.assign(blocks * block_size, 0.0);
+  History history = kernel::blank_history(strains.points(), spatial_kernel::rows_of_block(c_));
   // A virgin point has no kite: its first commit marches and finds one.
-  for (std::size_t block = 0; block < blocks; ++block) {
-    double* rows = history.data.data() + block * block_size;
+  for (std::size_t block = 0; block < history.data.size(); block += block_size) {
+    double* rows = history.data.data() + block;
     std::fill_n(rows + spatial_kernel::stick_middle * block_lanes, block_lanes, spatial_kernel::no_kite);
     std::fill_n(rows + spatial_kernel::inverse_length * block_lanes, block_lanes, spatial_kernel::without_bound);
   }
@@ -99,11 +97,8 @@ Effort SpatialReturnMap::respond(const History& history, const Field& strains, F
 }
 
 Effort SpatialReturnMap::commit(History& history, const Field& strains, StepEnergy& energy) const {
-  const spatial_kernel::Energies energies{.stored = energy.stored.data(),
-                                          .dissipated = energy.dissipated.data(),
-                                          .quadrature_error = energy.quadrature_error.data()};
   return {.evaluations = strains.points(),
-          .sweeps = spatial_kernel::commit(c_, history.data.data(), view(strains), energies)};
+          .sweeps = spatial_kernel::commit(c_, history.data.data(), view(strains), kernel::view(energy))};
 }
 
 }  // namespace strandyn::section

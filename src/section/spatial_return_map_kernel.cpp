@@ -1,28 +1,20 @@
-// One source, compiled by Highway for SSE4, AVX2 and AVX-512; the best that the machine has is chosen when it runs.
+// Highway reads this file once per instruction set; the best that the machine has is chosen when it runs.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "spatial_return_map_kernel.cpp"
-#ifndef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
-#endif
 #include "spatial_return_map_kernel.hpp"
 
 #include <hwy/foreach_target.h>
-#include <hwy/highway.h>
 
 #include <numbers>
 
+#include "slip_energy-inl.hpp"
 #include "spatial_return_map_kite-inl.hpp"
-#include "spatial_return_map_march-inl.hpp"
 #include "spatial_return_map_tangent-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::spatial_kernel {
 namespace HWY_NAMESPACE {
-
-/// Lanes of the register beginning at point `first` that are padding. They are at rest and count as stuck.
-HWY_INLINE Mask padding(std::size_t first, std::size_t points) {
-  return hn::Not(hn::FirstN(tag, points > first ? points - first : 0));
-}
+using namespace kernel::HWY_NAMESPACE;
 
 HWY_INLINE Unknowns guess_of(const Rows& head) {
   Unknowns at;
@@ -48,12 +40,14 @@ HWY_INLINE Resultants march(const SpatialCoefficients& c, const double* layers, 
                             const Record& record, AfterLayer& after_layer) {
   const V zero = hn::Zero(tag);
   Resultants sum{zero, zero, zero, zero};
-  V f_int = zero;
+  Dual<false> f_int{zero};
   for (std::size_t j = 0; j < c.layers.size(); ++j) {
     const Layer& layer = c.layers[j];
     const double* head = layers + j * rows_of_layer(c) * block_lanes;
     const double* q = head + layer_scalar_rows * block_lanes;
-    const Load load = load_of(layer, p[Component::axial], p[Component::torsion], f_int);
+    const V force = hn::MulAdd(set(layer.force_per_strain), p[Component::axial],
+                               hn::Mul(set(layer.force_per_twist), p[Component::torsion]));
+    const Load load = load_of(layer, set(layer.kappa), force, f_int);
     const Limits limits = limits_of(layer, load);
     Unknowns at = guess_of(Rows{head});
     const Turn turn = solve_layer<kRecord>(c, layer, limits, q, bending, at, record);
@@ -61,8 +55,8 @@ HWY_INLINE Resultants march(const SpatialCoefficients& c, const double* layers, 
     sum[1] = hn::MulAdd(set(layer.torsion_weight), turn.force, sum[1]);
     sum[2] = hn::MulAdd(set(layer.weight), turn.moment2, sum[2]);
     sum[3] = hn::MulAdd(set(layer.weight), turn.moment3, sum[3]);
-    const V inner = hn::MulAdd(set(layer.kappa / c.points), turn.force, load.inner);
-    f_int = hn::Mul(set(layer.inverse_c_int), hn::Max(zero, inner));
+    const V inner = hn::MulAdd(set(layer.kappa / c.points), turn.force, load.inner.value);
+    f_int = handed_inward(layer, Dual<false>{inner});
     after_layer(Solved{j, load, limits, q, at, turn, inner});
   }
   return sum;
@@ -79,7 +73,6 @@ HWY_INLINE std::array<V, 2> neutral_by_curvature(const SpatialCoefficients& c, V
 template <bool kTangent>
 std::size_t respond_all(const SpatialCoefficients& c, const double* history, const Strains& strains,
                         const Response& out) {
-  const std::size_t block_size = rows_of_block(c) * block_lanes;
   const V zero = hn::Zero(tag);
   const V EI_f = set(c.EI_friction);
   const double linear[2][2] = {{c.EA, c.C_AT}, {c.C_AT, c.GJ}};
@@ -88,13 +81,13 @@ std::size_t respond_all(const SpatialCoefficients& c, const double* history, con
   const Record record{scratch.data(), scratch.data() + (kTangent ? turn_size : 0),
                       scratch.data() + (kTangent ? 2 * turn_size : 0)};
   std::size_t marched = 0;
-  for (std::size_t first = 0; first < padded(strains.points); first += hn::Lanes(tag)) {
-    const Rows row{history + first / block_lanes * block_size + first % block_lanes};
-    const Point p = point_at(strains, first);
+  for (const Register here : Registers{strains.points}) {
+    const Rows row{here.rows(history, rows_of_block(c))};
+    const Point p = point_at(strains, here);
     const V chi2 = p[Component::bending2];
     const V chi3 = p[Component::bending3];
     Bending bending{hn::Sub(chi2, row[reference_chi2]), hn::Sub(chi3, row[reference_chi3]), zero};
-    const Mask idle = padding(first, strains.points);
+    const Mask idle = here.padding(strains.points);
     const Mask stuck = c.axial_resultants ? idle : hn::Or(sticks(c, row, p, bending), idle);
 
     Resultants friction{zero, zero, hn::MulAdd(EI_f, bending.d2, row[reference_M2]),
@@ -117,12 +110,10 @@ std::size_t respond_all(const SpatialCoefficients& c, const double* history, con
       if (c.axial_resultants) friction[0] = swept[0], friction[1] = swept[1];
       marched += hn::CountTrue(tag, hn::Not(stuck));
     }
-    hn::Store(hn::MulAdd(set(c.EA), p.strain[0], hn::MulAdd(set(c.C_AT), p.strain[1], friction[0])), tag,
-              out.stress[0] + first);
-    hn::Store(hn::MulAdd(set(c.C_AT), p.strain[0], hn::MulAdd(set(c.GJ), p.strain[1], friction[1])), tag,
-              out.stress[1] + first);
-    hn::Store(hn::MulAdd(set(c.EI_min), chi2, friction[2]), tag, out.stress[2] + first);
-    hn::Store(hn::MulAdd(set(c.EI_min), chi3, friction[3]), tag, out.stress[3] + first);
+    here.store(hn::MulAdd(set(c.EA), p.strain[0], hn::MulAdd(set(c.C_AT), p.strain[1], friction[0])), out.stress[0]);
+    here.store(hn::MulAdd(set(c.C_AT), p.strain[0], hn::MulAdd(set(c.GJ), p.strain[1], friction[1])), out.stress[1]);
+    here.store(hn::MulAdd(set(c.EI_min), chi2, friction[2]), out.stress[2]);
+    here.store(hn::MulAdd(set(c.EI_min), chi3, friction[3]), out.stress[3]);
     if constexpr (kTangent) {
       for (std::size_t r = 0; r < component_count; ++r) {
         for (std::size_t y = 0; y < component_count; ++y) {
@@ -130,16 +121,12 @@ std::size_t respond_all(const SpatialCoefficients& c, const double* history, con
           if (r < 2 && !c.axial_resultants) value = zero;
           if (r >= 2) value = hn::IfThenElse(stuck, r == y ? EI_f : zero, value);
           const double constant = r < 2 && y < 2 ? linear[r][y] : r == y ? c.EI_min : 0;
-          hn::Store(hn::Add(value, set(constant)), tag, out.stiffness[r][y] + first);
+          here.store(hn::Add(value, set(constant)), out.stiffness[r][y]);
         }
       }
     }
   }
   return marched;
-}
-
-HWY_INLINE void replace(double* row_of_lanes, Mask keep, V value) {
-  hn::Store(hn::IfThenElse(keep, hn::Load(tag, row_of_lanes), value), tag, row_of_lanes);
 }
 
 /// Watches the replay of a committed layer: energies of the step, the new gradients, the kite's extent along its axis.
@@ -148,7 +135,7 @@ struct CommitVisitor {
   Mask stuck;
   V before2, before3;  // committed minus reference curvature
   V axis2, axis3;
-  V stored, dissipated, trapezoid;
+  SlipEnergy energy;
   Kite kite;
   const Layer* layer;
   V numerator;
@@ -157,17 +144,8 @@ struct CommitVisitor {
   HWY_INLINE void on_cell(const Cell& cell, V base, V q_reference, std::size_t quarter, std::size_t i) {
     const double cosines[] = {c.cosine[i], -c.sine[i], -c.cosine[i], c.sine[i]};
     const double sines[] = {c.sine[i], c.cosine[i], -c.sine[i], -c.cosine[i]};
-    const V half = set(0.5);
-    const V weight = set(layer->weight);
-    const V per_k = set(1 / layer->k);
     const V e_before = hn::MulAdd(set(cosines[quarter]), before2, hn::Mul(set(sines[quarter]), before3));
-    const V before = hn::MulAdd(set(layer->k), e_before, q_reference);
-    const V slip = hn::Mul(hn::Sub(cell.trial, cell.q), per_k);
-    const V at_end = hn::Mul(cell.q, slip);
-    const V at_mean = hn::Mul(hn::Mul(half, hn::Add(cell.q, before)), slip);
-    dissipated = hn::MulAdd(weight, hn::Max(at_end, at_mean), dissipated);
-    trapezoid = hn::MulAdd(weight, at_mean, trapezoid);
-    stored = hn::MulAdd(hn::Mul(weight, hn::Mul(half, per_k)), hn::Mul(cell.q, cell.q), stored);
+    energy.add(*layer, hn::MulAdd(set(layer->k), e_before, q_reference), cell.trial, cell.q);
     hn::Store(hn::IfThenElse(stuck, q_reference, cell.q), tag, q_new + (quarter * c.cosine.size() + i) * block_lanes);
 
     const V limit = hn::MulAdd(set(layer->slope), hn::MulAdd(set(layer->half_step), cell.q, base), numerator);
@@ -206,21 +184,20 @@ HWY_INLINE V widen(const SpatialCoefficients& c, const double* layers, CommitVis
 }
 
 std::size_t commit_all(const SpatialCoefficients& c, double* history, const Strains& strains, const Energies& out) {
-  const std::size_t block_size = rows_of_block(c) * block_lanes;
   const V zero = hn::Zero(tag);
   const V half = set(0.5);
   const V EI_f = set(c.EI_friction);
   std::size_t marched = 0;
-  for (std::size_t first = 0; first < padded(strains.points); first += hn::Lanes(tag)) {
-    double* at = history + first / block_lanes * block_size + first % block_lanes;
+  for (const Register here : Registers{strains.points}) {
+    double* at = here.rows(history, rows_of_block(c));
     const Rows row{at};
     const auto writable = [at](std::size_t index) HWY_ATTR { return at + index * block_lanes; };
-    const Point p = point_at(strains, first);
+    const Point p = point_at(strains, here);
     const V chi2 = p[Component::bending2];
     const V chi3 = p[Component::bending3];
     Bending bending{hn::Sub(chi2, row[reference_chi2]), hn::Sub(chi3, row[reference_chi3]), zero};
     bending.neutral = neutral_cell(c, chi2, chi3, row[neutral]);
-    const Mask stuck = hn::Or(sticks(c, row, p, bending), padding(first, strains.points));
+    const Mask stuck = hn::Or(sticks(c, row, p, bending), here.padding(strains.points));
 
     // Sticking from the reference on: the potential is a paraboloid, nothing is lost, the reference stays.
     V stored = hn::MulAdd(bending.d2, hn::MulAdd(hn::Mul(half, EI_f), bending.d2, row[reference_M2]), row[reference_U]);
@@ -243,9 +220,7 @@ std::size_t commit_all(const SpatialCoefficients& c, double* history, const Stra
                       .before3 = hn::Sub(row[committed_chi3], row[reference_chi3]),
                       .axis2 = axis2,
                       .axis3 = axis3,
-                      .stored = zero,
-                      .dissipated = zero,
-                      .trapezoid = zero,
+                      .energy = SlipEnergy::zero(),
                       .kite = Kite::whole(),
                       .layer = nullptr,
                       .numerator = zero,
@@ -254,20 +229,20 @@ std::size_t commit_all(const SpatialCoefficients& c, double* history, const Stra
         const Layer& layer = c.layers[l.index];
         double* head = layers + l.index * rows_of_layer(c) * block_lanes;
         w.layer = &layer;
-        w.numerator = l.load.numerator;
+        w.numerator = l.load.numerator.value;
         w.q_new = head + layer_scalar_rows * block_lanes;
         replay(c, layer, l.limits, l.q, bending, l.at, w);
         for (std::size_t quarter = 0; quarter < quarters; ++quarter) {
           replace(head + (start_of_quarter + quarter) * block_lanes, stuck, l.at.start[quarter]);
         }
         replace(head + closure * block_lanes, stuck, l.at.mean);
-        replace(head + reference_numerator * block_lanes, stuck, l.load.numerator);
+        replace(head + reference_numerator * block_lanes, stuck, l.load.numerator.value);
       };
       const Resultants friction = march<false>(c, layers, p, bending, Record{}, keep);
       const V offset = widen(c, layers, w);
-      stored = hn::IfThenElse(stuck, stored, w.stored);
-      dissipated = hn::IfThenElse(stuck, zero, w.dissipated);
-      quadrature_error = hn::IfThenElse(stuck, zero, hn::Sub(w.dissipated, w.trapezoid));
+      stored = hn::IfThenElse(stuck, stored, w.energy.stored);
+      dissipated = hn::IfThenElse(stuck, zero, w.energy.dissipated);
+      quadrature_error = hn::IfThenElse(stuck, zero, w.energy.quadrature_error());
 
       const V length_of_kite = hn::Mul(half, hn::Sub(w.kite.high, w.kite.low));
       // A kite of no length holds nothing: where limits are zero even a curvature that has not moved yet slips.
@@ -283,7 +258,7 @@ std::size_t commit_all(const SpatialCoefficients& c, double* history, const Stra
                                  {reference_chi3, chi3},
                                  {reference_M2, friction[2]},
                                  {reference_M3, friction[3]},
-                                 {reference_U, w.stored},
+                                 {reference_U, w.energy.stored},
                                  {Row::axis2, axis2},
                                  {Row::axis3, axis3},
                                  {stick_middle, middle},
@@ -304,9 +279,7 @@ std::size_t commit_all(const SpatialCoefficients& c, double* history, const Stra
     V linear = hn::Mul(set(c.EI_min), hn::MulAdd(chi2, chi2, hn::Mul(chi3, chi3)));
     linear = hn::MulAdd(hn::Mul(set(c.EA), eps), eps, linear);
     linear = hn::MulAdd(hn::MulAdd(set(2 * c.C_AT), eps, hn::Mul(set(c.GJ), twist)), twist, linear);
-    hn::Store(hn::MulAdd(half, linear, stored), tag, out.stored + first);
-    hn::Store(dissipated, tag, out.dissipated + first);
-    hn::Store(quadrature_error, tag, out.quadrature_error + first);
+    book(out, here, linear, stored, dissipated, quadrature_error);
   }
   return marched;
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "batch_view.hpp"
 #include "strandyn/section/spatial_return_map.hpp"
 
 namespace strandyn::section::spatial_kernel {
@@ -62,11 +63,7 @@ struct Response {
   std::array<std::array<double*, component_count>, component_count> stiffness{};
 };
 
-struct Energies {
-  double* stored = nullptr;
-  double* dissipated = nullptr;
-  double* quadrature_error = nullptr;
-};
+using kernel::Energies;
 
 /// Both return the number of points that had to march.
 std::size_t respond(const SpatialCoefficients& c, const double* history, const Strains& strains,

@@ -15,21 +15,15 @@ HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::spatial_kernel {
 namespace HWY_NAMESPACE {
 
-/// The rows of a block that one register of lanes sees.
-struct Rows {
-  const double* at;
-  V operator[](std::size_t row) const { return hn::Load(tag, at + row * block_lanes); }
-};
-
 /// The strains of one register of points.
 struct Point {
   std::array<V, component_count> strain;
   V operator[](Component c) const { return strain[static_cast<std::size_t>(c)]; }
 };
 
-HWY_INLINE Point point_at(const Strains& strains, std::size_t first) {
+HWY_INLINE Point point_at(const Strains& strains, Register at) {
   Point p;
-  for (std::size_t c = 0; c < component_count; ++c) p.strain[c] = hn::Load(tag, strains.at[c] + first);
+  for (std::size_t c = 0; c < component_count; ++c) p.strain[c] = at.load(strains.at[c]);
   return p;
 }
 

@@ -7,27 +7,20 @@
 #endif
 
 #include <hwy/contrib/math/math-inl.h>
-#include <hwy/highway.h>
 
 #include <array>
 
+#include "contact_cascade-inl.hpp"
 #include "spatial_return_map_kernel.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::spatial_kernel {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace kernel::HWY_NAMESPACE;
 
-using Tag = hn::CappedTag<double, block_lanes>;
-using V = hn::Vec<Tag>;
-using Mask = hn::Mask<Tag>;
 using Layer = SpatialCoefficients::Layer;
-constexpr Tag tag;
+using Load = LayerLoad<false>;
 constexpr std::size_t quarters = 4;
-
-HWY_INLINE V set(double x) {
-  return hn::Set(tag, x);
-}
 
 /// Strain increments of bending since the reference, and where the neutral plane lies.
 struct Bending {
@@ -51,23 +44,6 @@ HWY_INLINE V neutral_cell(const SpatialCoefficients& c, V chi2, V chi3, V kept) 
   return hn::IfThenElse(defined, cell, kept);
 }
 
-/// What a layer's limit has beside the wire's own bending force: q_lim = max(floor, numerator + slope F_b).
-struct Load {
-  V floor;      // mu_ext c_ext f_ext: all that is left when the inner contact opens
-  V numerator;  // floor + mu_int inner
-  V inner;      // kappa F_at + c_ext f_ext + c_int R_res
-};
-
-HWY_INLINE Load load_of(const Layer& layer, V eps, V twist, V f_int_outside) {
-  Load load;
-  const V force = hn::MulAdd(set(layer.force_per_strain), eps, hn::Mul(set(layer.force_per_twist), twist));
-  const V outer = hn::Mul(set(layer.c_ext * layer.next_layer_ratio), f_int_outside);
-  load.inner = hn::Add(hn::MulAdd(set(layer.kappa), force, outer), set(layer.inner_residual));
-  load.floor = hn::Mul(set(layer.mu_ext), outer);
-  load.numerator = hn::MulAdd(set(layer.mu_int), load.inner, load.floor);
-  return load;
-}
-
 /// One cell: its gradient, with the limit's own force solved for. `base` is F_b at the cell's edge less mean(q) dS/2;
 /// F_b at the midpoint is base + q dS/2.
 struct Cell {
@@ -84,9 +60,9 @@ struct Limits {
 };
 
 HWY_INLINE Limits limits_of(const Layer& layer, const Load& load) {
-  return {.floor = load.floor,
-          .upper = hn::MulAdd(load.numerator, set(layer.outward_gain), set(layer.outward_offset)),
-          .lower = hn::Mul(load.numerator, set(layer.inward_gain)),
+  return {.floor = load.floor.value,
+          .upper = hn::MulAdd(load.numerator.value, set(layer.outward_gain), set(layer.outward_offset)),
+          .lower = hn::Mul(load.numerator.value, set(layer.inward_gain)),
           .upper_slope = set(layer.slope * layer.outward_gain),
           .lower_slope = set(layer.slope * layer.inward_gain)};
 }
@@ -97,7 +73,7 @@ HWY_INLINE Cell cell_of(const Limits& limits, V base, V trial) {
   const V upper = hn::Max(limits.floor, raw_upper);
   const V lower = hn::Neg(hn::Max(limits.floor, raw_lower));
   return {.trial = trial,
-          .q = hn::Min(hn::Max(trial, lower), upper),
+          .q = clip(trial, lower, upper),
           .above = hn::Gt(trial, upper),
           .below = hn::Lt(trial, lower),
           .holds = hn::Gt(hn::Sub(upper, lower), hn::Zero(tag)),
@@ -241,24 +217,22 @@ HWY_INLINE Turn turn_of(const SpatialCoefficients& c, const Layer& layer, const 
 /// Columns: the four starts and the mean. Eliminated from start to start, so that two unknowns are left.
 class Closure {
  public:
-  Closure(const SpatialCoefficients& c, const Layer& layer, const V neutral,
-          const std::array<V, quarters>& end_by_start, const std::array<V, quarters>& end_by_mean,
-          const std::array<V, quarters>& before_by_start, V before_by_mean)
-      : end_by_start_(end_by_start),
-        end_by_mean_(end_by_mean),
-        before_by_start_(before_by_start),
+  Closure(const SpatialCoefficients& c, const Layer& layer, const V neutral, const Turn& turn)
+      : end_by_start_(turn.end_by_start),
+        end_by_mean_(turn.end_by_mean),
+        before_by_start_(turn.before_by_start),
         step_(set(2 * layer.half_step)) {
     // start[j] = from_first[j] start[0] + from_mean[j] mean + (what the right-hand side adds)
     std::array<V, quarters + 1> from_first, from_mean;
     from_first[0] = set(1);
     from_mean[0] = hn::Zero(tag);
     V sum_first = hn::Zero(tag);
-    V sum_mean = before_by_mean;
+    V sum_mean = turn.before_by_mean;
     for (std::size_t j = 0; j < quarters; ++j) {
-      sum_first = hn::MulAdd(before_by_start[j], from_first[j], sum_first);
-      sum_mean = hn::MulAdd(before_by_start[j], from_mean[j], sum_mean);
-      from_first[j + 1] = hn::Mul(end_by_start[j], from_first[j]);
-      from_mean[j + 1] = hn::MulAdd(end_by_start[j], from_mean[j], end_by_mean[j]);
+      sum_first = hn::MulAdd(before_by_start_[j], from_first[j], sum_first);
+      sum_mean = hn::MulAdd(before_by_start_[j], from_mean[j], sum_mean);
+      from_first[j + 1] = hn::Mul(end_by_start_[j], from_first[j]);
+      from_mean[j + 1] = hn::MulAdd(end_by_start_[j], from_mean[j], end_by_mean_[j]);
     }
     const V own_mean = hn::Mul(step_, hn::NegMulAdd(set(2), neutral, set(1)));
     turn_by_first_ = hn::Sub(from_first[4], set(1));
@@ -332,8 +306,7 @@ HWY_INLINE Turn solve_layer(const SpatialCoefficients& c, const Layer& layer, co
     const Mask solved = hn::Le(largest, hn::Mul(set(tolerance), scale));
     if (correction == most_corrections || hn::AllTrue(tag, solved)) return turn;
 
-    const Closure closure(c, layer, bending.neutral, turn.end_by_start, turn.end_by_mean, turn.before_by_start,
-                          turn.before_by_mean);
+    const Closure closure(c, layer, bending.neutral, turn);
     const Unknowns change = closure.solve(gap, neutral);
     // A solved point waits for its neighbours unchanged: its answer must not depend on them.
     for (std::size_t j = 0; j < quarters; ++j) {

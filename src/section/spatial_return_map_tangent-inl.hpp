@@ -129,8 +129,7 @@ HWY_INLINE void add_tangent(const SpatialCoefficients& c, const Layer& layer, co
   const Column load = column_of<Source::load>(c, layer, record, neutral, nullptr);
   const std::array<Column, 2> by_chi{column_of<Source::chi2>(c, layer, record, neutral, nullptr),
                                      column_of<Source::chi3>(c, layer, record, neutral, nullptr)};
-  const Closure closure(c, layer, neutral, turn.end_by_start, turn.end_by_mean, turn.before_by_start,
-                        turn.before_by_mean);
+  const Closure closure(c, layer, neutral, turn);
   const V step = set(2 * layer.half_step);
   const V neutral_turn = hn::Mul(step, hn::NegMulAdd(set(2), at.mean, turn.at_neutral));
   const Mask closed = hn::Gt(inner, zero);

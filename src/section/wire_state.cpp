@@ -74,9 +74,9 @@ PointRows rows_of(const History& history, std::size_t point, std::size_t rows_of
 
 }  // namespace
 
-WireState wire_state(const SpatialReturnMap& law, const History& history, std::size_t point) {
+WireState SpatialReturnMap::wires(const History& history, const Field&, std::size_t point) const {
   using namespace spatial_kernel;
-  const SpatialCoefficients& c = law.coefficients();
+  const SpatialCoefficients& c = c_;
   const PointRows row = rows_of(history, point, rows_of_block(c));
   const double d2 = row[committed_chi2] - row[reference_chi2];
   const double d3 = row[committed_chi3] - row[reference_chi3];
@@ -100,17 +100,19 @@ WireState wire_state(const SpatialReturnMap& law, const History& history, std::s
   return state;
 }
 
-WireState wire_state(const PlanarReturnMap& law, const History& history, std::size_t point, double eps) {
-  const PlanarCoefficients& c = law.coefficients();
-  const PointRows row = rows_of(history, point, kernel::rows_of_block(c));
-  const double d = row[kernel::committed_chi] - row[kernel::reference_chi];
+/// The planar law commits no axial strain of its own. The second half of the turn mirrors the first.
+WireState PlanarReturnMap::wires(const History& history, const Field& committed_strains, std::size_t point) const {
+  const PlanarCoefficients& c = c_;
+  const double eps = committed_strains[Component::axial][point];
+  const PointRows row = rows_of(history, point, return_map_kernel::rows_of_block(c));
+  const double d = row[return_map_kernel::committed_chi] - row[return_map_kernel::reference_chi];
   const std::size_t cells = c.cosine.size();
   WireState state;
   state.theta = midpoints(4 * cells);
   double f_int = 0;
   for (std::size_t j = 0; j < c.layers.size(); ++j) {
     const PlanarCoefficients::Layer& layer = c.layers[j];
-    const std::size_t first = kernel::scalar_rows + j * 2 * cells;
+    const std::size_t first = return_map_kernel::scalar_rows + j * 2 * cells;
     std::vector<double> q(4 * cells);
     for (std::size_t i = 0; i < cells; ++i) {
       const double stick = layer.k * c.cosine[i] * d;

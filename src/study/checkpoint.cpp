@@ -2,57 +2,86 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <map>
+#include <sstream>
 
 #include "strandyn/casefile/echo.hpp"
 #include "strandyn/core/archive.hpp"
 #include "strandyn/core/error.hpp"
 #include "strandyn/results/folder.hpp"
+#include "strandyn/results/json.hpp"
+#include "strandyn/study/run_case.hpp"
 #include "strandyn/version.hpp"
 
 namespace strandyn::study {
-
-using json = nlohmann::ordered_json;
 
 namespace {
 
 /// Raise the version with every change of what is archived, wherever it is.
 Seal checkpoint_seal() {
   static const std::string writer = fmt::format("strandyn {} ({})", program_version, program_revision);
-  return {.kind = "checkpoint", .version = 2, .writer = writer};
+  return {.kind = "checkpoint", .version = 3, .writer = writer};
 }
 
-/// The case without what does not touch its numbers.
-json identity_of(const casefile::Scene& scene) {
-  json identity = casefile::case_as_run(scene);
-  identity.erase("title");
-  identity.erase("accept");
-  if (identity.contains("integrator")) identity["integrator"].erase("checkpoint_every_s");
-  return identity;
+/// Every number and word of the case with its path, without what does not touch its numbers.
+using FlatCase = std::map<std::string, std::string>;
+
+void flatten(const results::Value& value, const std::string& path, FlatCase& flat) {
+  if (value.members().empty() && value.entries().empty()) {
+    flat[path] = results::to_text(value, -1);
+    return;
+  }
+  for (const auto& [key, member] : value.members()) flatten(member, path.empty() ? key : path + "." + key, flat);
+  for (std::size_t i = 0; i < value.entries().size(); ++i) {
+    flatten(value.entries()[i], fmt::format("{}.{}", path, i), flat);
+  }
+}
+
+FlatCase identity_of(const casefile::Scene& scene) {
+  FlatCase flat;
+  flatten(casefile::case_as_run(scene), "", flat);
+  std::erase_if(flat, [](const auto& entry) {
+    const std::string& path = entry.first;
+    return path == "title" || path.starts_with("accept") || path == "integrator.checkpoint_every_s";
+  });
+  return flat;
+}
+
+/// One line a key, and back.
+std::string text_of(const FlatCase& flat) {
+  std::string text;
+  for (const auto& [path, value] : flat) text += path + '\t' + value + '\n';
+  return text;
+}
+FlatCase flat_of(const std::string& text) {
+  FlatCase flat;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t tab = line.find('\t');
+    if (tab != std::string::npos) flat[line.substr(0, tab)] = line.substr(tab + 1);
+  }
+  return flat;
 }
 
 /// The first key in which two cases differ, with both values.
-std::string first_difference(const json& here, const json& there) {
-  const json left = here.flatten();
-  const json right = there.flatten();
-  const auto value = [](const json& flat, const std::string& key) {
-    return flat.contains(key) ? flat[key].dump() : std::string("not given");
+std::string first_difference(const FlatCase& here, const FlatCase& there) {
+  const auto value = [](const FlatCase& flat, const std::string& key) {
+    const auto found = flat.find(key);
+    return found == flat.end() ? std::string("not given") : found->second;
   };
-  for (const json* side : {&left, &right}) {
-    for (const auto& [key, ignored] : side->items()) {
-      if (value(left, key) == value(right, key)) continue;
-      std::string path = key.substr(1);
-      std::replace(path.begin(), path.end(), '/', '.');
-      return fmt::format("{} is {} here and {} there", path, value(left, key), value(right, key));
+  for (const FlatCase* side : {&here, &there}) {
+    for (const auto& [key, ignored] : *side) {
+      if (value(here, key) == value(there, key)) continue;
+      return fmt::format("{} is {} here and {} there", key, value(here, key), value(there, key));
     }
   }
-  return "their keys stand in another order";
+  return "they were written by another program";
 }
 
 }  // namespace
 
 CheckpointFile::CheckpointFile(const casefile::Scene& scene, const Hooks& hooks)
-    : path_(hooks.folder / checkpoint_name), identity_(identity_of(scene).dump()) {
+    : path_(hooks.folder / checkpoint_name), identity_(text_of(identity_of(scene))) {
   if (hooks.folder.empty()) return;
   every_ = scene.integrator.checkpoint_every;
   if (!hooks.resume || !std::filesystem::exists(path_)) return;
@@ -68,7 +97,7 @@ CheckpointFile::CheckpointFile(const casefile::Scene& scene, const Hooks& hooks)
   if (identity == identity_) return;
   throw InputError(fmt::format(
       "cannot resume from {}: it belongs to another case: {}; give the case as it was, or run without --resume",
-      path_.string(), first_difference(json::parse(identity_), json::parse(identity))));
+      path_.string(), first_difference(flat_of(identity_), flat_of(identity))));
 }
 
 solver::Checkpoints CheckpointFile::checkpoints(std::function<bool()> interrupted) {

@@ -6,7 +6,7 @@
 
 #include "strandyn/casefile/scene.hpp"
 #include "strandyn/solver/time/integrator.hpp"
-#include "strandyn/study/run_case.hpp"
+#include "strandyn/study/analysis.hpp"
 
 namespace strandyn::study {
 

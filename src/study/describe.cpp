@@ -1,121 +1,97 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include "parts.hpp"
-#include "self_damping_parts.hpp"
-#include "strandyn/casefile/echo.hpp"
+#include "strandyn/build/section_law.hpp"
+#include "strandyn/study/run_case.hpp"
 
 namespace strandyn::study {
 
-using casefile::AnalysisType;
 using casefile::Scene;
-using json = nlohmann::ordered_json;
+using results::Value;
 
 namespace {
 
-json conductor_json(const Scene& scene) {
-  const conductor::Strand& strand = scene.conductor->strand;
-  json layers = json::array();
+struct LayerFacts {
+  int wires = 0;
+  double diameter = 0, lay_angle = 0, helix_radius = 0, young = 0, residual_force = 0, friction_inner = 0;
+};
+template <class V>
+void members(V& v, LayerFacts& l) {
+  v.value("wires", l.wires, {.what = "of the layer"});
+  v.value("wire_diameter_m", l.diameter, {.what = "of a wire"});
+  v.value("lay_angle_rad", l.lay_angle, {.what = "right-hand lay positive"});
+  v.value("helix_radius_m", l.helix_radius, {.what = "of the wires' centre line"});
+  v.value("young_Pa", l.young, {.what = "Young's modulus"});
+  v.value("residual_force_N_per_m", l.residual_force, {.what = "of the inner contact"});
+  v.value("friction_inner", l.friction_inner, {.what = "of the inner contact"});
+}
+struct ConductorFacts {
+  std::string name;
+  double diameter = 0, mass = 0, rated_strength = 0;
+  std::optional<double> geometric_mass{};
+  std::vector<LayerFacts> layers;
+};
+template <class V>
+void members(V& v, ConductorFacts& c) {
+  v.value("name", c.name, {.what = "of the conductor"});
+  v.value("outer_diameter_m", c.diameter, {.what = "of the strand"});
+  v.value("mass_kg_per_m", c.mass, {.what = "as given or by the wires"});
+  v.value("rated_strength_N", c.rated_strength, {.what = "rated tensile strength"});
+  v.value("geometric_mass_kg_per_m", c.geometric_mass, {.what = "by the densities of the wires"});
+  v.list("layers", c.layers, {.what = "core first"});
+}
+
+ConductorFacts facts_of(const conductor::Strand& strand) {
+  ConductorFacts facts{.name = strand.name,
+                       .diameter = strand.outer_diameter(),
+                       .mass = strand.mass_per_length,
+                       .rated_strength = strand.rated_strength,
+                       .geometric_mass = strand.geometric_mass(),
+                       .layers = {}};
   for (const conductor::Layer& layer : strand.layers) {
-    layers.push_back({{"wires", layer.wires},
-                      {"wire_diameter_m", layer.diameter},
-                      {"lay_angle_rad", layer.lay_angle},
-                      {"helix_radius_m", layer.helix_radius},
-                      {"young_Pa", layer.young},
-                      {"residual_force_N_per_m", layer.residual_force},
-                      {"friction_inner", layer.friction_inner}});
+    facts.layers.push_back({.wires = layer.wires,
+                            .diameter = layer.diameter,
+                            .lay_angle = layer.lay_angle,
+                            .helix_radius = layer.helix_radius,
+                            .young = layer.young,
+                            .residual_force = layer.residual_force,
+                            .friction_inner = layer.friction_inner});
   }
-  json out = {{"name", strand.name},
-              {"outer_diameter_m", strand.outer_diameter()},
-              {"mass_kg_per_m", strand.mass_per_length},
-              {"rated_strength_N", strand.rated_strength}};
-  if (const auto mass = strand.geometric_mass()) out["geometric_mass_kg_per_m"] = *mass;
-  out["layers"] = layers;
-  return out;
+  return facts;
 }
 
-json mesh_json(const build::BuiltSpan& built, const build::SectionNumbers& numbers) {
-  double shortest = built.length;
-  double longest = 0;
-  for (const beam::SpatialElement& element : built.model.elements) {
-    shortest = std::min(shortest, element.span.norm());
-    longest = std::max(longest, element.span.norm());
-  }
-  json out = {{"elements", built.model.elements.size()},
-              {"unknowns", built.model.unknowns()},
-              {"section_points", built.model.elements.size() * beam::gauss_points},
-              {"shortest_element_m", shortest},
-              {"longest_element_m", longest}};
-  if (built.tension > 0) {
-    out["boundary_layer_all_slipping_m"] = std::sqrt(numbers.EI_min / built.tension);
-    out["boundary_layer_all_sticking_m"] = std::sqrt(numbers.EI_max / built.tension);
-  }
-  return out;
-}
-
-/// [s] of one evaluation of the forces of this very span, the shortest of a few.
-double evaluation_time(const SpanAtRest& span) {
-  system::Vector force(span.u.size());
-  double best = 1;
-  for (int i = 0; i < 20; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    span.system.internal_force(span.u.data(), force.data());
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    best = std::min(best, time.count());
-  }
-  return best;
-}
-
-json vibration_json(const Scene& scene, SpanAtRest& span) {
-  const VibrationPlan plan = plan_vibration(scene, span);
-  const double steps = static_cast<double>(plan.cycles) * plan.steps_per_cycle();
-  // Counted on slipping spans: two to three residuals a step, one for the ledger, one commit.
-  constexpr double evaluations_per_step = 5;
-  const double points = static_cast<double>(span.built.model.elements.size() * beam::gauss_points);
-  json out = plan_json(plan);
-  out["cycles"] = plan.cycles;
-  out["until_steady"] = plan.until_steady;
-  out["loop_length_m"] = build::loop_length(scene, span.built.tension, plan.frequency);
-  out["expected_cost"] = {{"steps", steps},
-                          {"section_evaluations", steps * evaluations_per_step * points},
-                          {"wall_s_at_least", steps * evaluations_per_step * evaluation_time(span)}};
-  return out;
+/// What it is expected to cost: counts from least to most, and their geometric mean.
+struct ExpectedCost {
+  double evaluations = 0, least = 0, most = 0;
+  double seconds = 0, memory = 0;
+};
+template <class V>
+void members(V& v, ExpectedCost& c) {
+  v.value("section_evaluations", c.evaluations, {.what = "one section point, one call of its law"});
+  v.value("section_evaluations_at_least", c.least, {.what = "the fewest that are expected"});
+  v.value("section_evaluations_at_most", c.most, {.what = "the most"});
+  v.value("cpu_s", c.seconds, {.what = "time of one processor"});
+  v.value("memory_B", c.memory, {.what = "that the program will hold"});
 }
 
 }  // namespace
 
-json describe_case(const Scene& scene) {
-  json out;
-  out["title"] = scene.title;
-  out["analysis"] = casefile::name_of(scene.analysis.type);
-  out["section_law"] = casefile::name_of(scene.section.law);
-  if (scene.conductor) out["conductor"] = conductor_json(scene);
-  const build::SectionNumbers n = build::section_numbers(scene);
-  out["section"] = section_json(n);
-  const AnalysisType type = scene.analysis.type;
-  if (type == AnalysisType::section || type == AnalysisType::axial_torsion) {
-    build::check_buildable(scene);
-    return out;
-  }
-  if (type == AnalysisType::self_damping) {
-    describe_self_damping(scene, out);
-    return out;
-  }
-  SpanAtRest span(scene);
-  out["span"] = {{"length_m", span.built.length},
-                 {"tension_N", span.built.tension},
-                 {"unstressed_length_m", span.built.model.unstressed_length()},
-                 {"mass_kg_per_m", span.built.model.inertia.mass},
-                 {"rotary_inertia_kg_m", span.built.model.inertia.rotary},
-                 {"wave_speed_m_per_s", build::wave_speed(scene, span.built.tension)}};
-  out["mesh"] = mesh_json(span.built, n);
-  if (type == AnalysisType::decay || type == AnalysisType::forced) {
-    span.apply_static_loads();
-    out["vibration"] = vibration_json(scene, span);
-  }
+Value describe_case(const Scene& scene) {
+  const std::unique_ptr<Analysis> analysis = prepare(scene);
+  Value out = Value::object();
+  out.set("title", scene.title);
+  out.set("analysis", casefile::word_of(scene.analysis));
+  out.set("section_law", name_of(scene.section.law));
+  if (scene.conductor) out.set("conductor", results::to_value(facts_of(scene.conductor->strand)));
+  out.set("section", results::to_value(build::section_numbers(scene)));
+  const Outlook outlook = analysis->outlook();
+  out.merge(outlook.modelled);
+  const double mean = std::sqrt(outlook.evaluations_least * outlook.evaluations_most);
+  out.set("expected_cost", results::to_value(ExpectedCost{.evaluations = mean,
+                                                          .least = outlook.evaluations_least,
+                                                          .most = outlook.evaluations_most,
+                                                          .seconds = mean * outlook.seconds_per_evaluation,
+                                                          .memory = outlook.memory}));
   return out;
 }
 

@@ -1,140 +1,180 @@
+#include "plan.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "expected_damping.hpp"
-#include "integration.hpp"
-#include "parts.hpp"
 #include "strandyn/observe/deflection_points.hpp"
+#include "strandyn/span/damping.hpp"
+#include "strandyn/span/trial_cycles.hpp"
 
 namespace strandyn::study {
 
-using casefile::AnalysisType;
 using casefile::refuse;
 using casefile::Scene;
 
 namespace {
 
-constexpr std::size_t most_cycles_until_steady = 5000;
+/// A mode that the scene speaks of, and the key that does.
+struct NamedMode {
+  int number = 0;
+  std::string key;
+};
 
-/// The highest mode number that the scene speaks of; 0 if it names none.
-int highest_mode(const Scene& scene) {
-  int highest = 0;
-  for (const casefile::Load& load : scene.loads) highest = std::max(highest, load.frequency_mode.value_or(0));
-  for (const casefile::Motion& motion : scene.motions) highest = std::max(highest, motion.frequency_mode.value_or(0));
-  if (scene.initial) highest = std::max(highest, scene.initial->velocity_mode);
-  if (scene.analysis.type == AnalysisType::decay) highest = std::max(highest, scene.analysis.decay.mode);
-  return highest;
+std::vector<NamedMode> named_modes(const Scene& scene, const PlanAsk& ask) {
+  std::vector<NamedMode> modes;
+  const auto add = [&](const std::optional<int>& number, const std::string& key) {
+    if (number) modes.push_back({.number = *number, .key = key});
+  };
+  for (std::size_t i = 0; i < scene.loads.size(); ++i) {
+    add(scene.loads[i].frequency_mode, fmt::format("load[{}].frequency", i));
+  }
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
+    add(scene.motions[i].frequency_mode, fmt::format("motion[{}].frequency", i));
+  }
+  if (scene.initial) add(scene.initial->velocity_mode, "initial.velocity_mode");
+  add(ask.mode, "analysis.mode");
+  return modes;
+}
+
+bool has_drive(const Scene& scene) {
+  return std::ranges::count(scene.loads, casefile::LoadType::harmonic_force, &casefile::Load::type) > 0 ||
+         std::ranges::count(scene.motions, casefile::MotionType::harmonic_motion, &casefile::Motion::type) > 0;
 }
 
 /// What the span asks of its drives, with the frequencies of the modes.
-std::vector<model::Drive> find_drives(const SpanAtRest& span, const std::vector<solver::Mode>& modes) {
+std::vector<model::Drive> find_drives(const span::SpanAtRest& span, const std::vector<solver::Mode>& modes) {
   std::vector<model::Drive> drives;
   for (const build::DriveAsk& ask : span.built.drives) {
-    drives.push_back({.frequency = ask.mode ? modes[static_cast<std::size_t>(*ask.mode) - 1].frequency
-                                            : ask.frequency.value_or(0)});
+    drives.push_back(
+        {.frequency = ask.mode ? modes[static_cast<std::size_t>(*ask.mode) - 1].frequency : ask.frequency.value_or(0)});
   }
   return drives;
 }
 
-/// The lowest physical damping that the run will see: that of its smallest amplitude.
-double expected_damping(const Scene& scene, SpanAtRest& span, const system::Vector& shape, const VibrationPlan& plan) {
-  if (shape.size() == 0) return 0;
-  TrialCycles trial(span, shape, plan.frequency);
+/// [m] of the antinode, by the initial velocity.
+double start_amplitude(const VibrationPlan& plan, const span::SpanAtRest& span) {
   const double velocity = observe::DeflectionPoints(span.built.model, 0).largest(plan.velocity.data());
-  double amplitude = velocity / (2 * std::numbers::pi * plan.frequency);
-  if (scene.analysis.type == AnalysisType::decay) {
-    const double late = trial.damping_ratio(trial.decayed_amplitude(amplitude, plan.cycles));
-    return late > 0 ? late : trial.damping_ratio(amplitude);
-  }
-  for (const model::Load& load : span.built.model.loads) {
-    if (!std::holds_alternative<model::Driven>(load.history)) continue;
-    const double drive = load.force.dot(span.built.model.displacement(shape.data(), load.node)) / load.force.norm();
-    amplitude = std::max(amplitude, trial.steady_amplitude(load.force.norm(), drive));
-  }
-  return trial.damping_ratio(amplitude);
+  return velocity / (2 * std::numbers::pi * plan.frequency);
 }
 
-void choose_step(const Scene& scene, SpanAtRest& span, const system::Vector& shape, VibrationPlan& plan) {
-  using casefile::StepRule;
-  const casefile::Integrator& integrator = scene.integrator;
-  if (integrator.step == StepRule::automatic) {
+/// The amplitude of the start, or where the loads feed what is lost, if that is more. [m]
+double steady_amplitude(const VibrationPlan& plan, const span::SpanAtRest& span, span::TrialCycles& trial) {
+  double amplitude = start_amplitude(plan, span);
+  for (const model::Load& load : span.built.model.loads) {
+    if (!std::holds_alternative<model::Driven>(load.history) || load.force.isZero(0)) continue;
+    const double drive =
+        load.force.dot(span.built.model.displacement(plan.shape.data(), load.node)) / load.force.norm();
+    amplitude = std::max(amplitude, trial.steady_amplitude(load.force.norm(), drive));
+  }
+  return amplitude;
+}
+
+/// The lowest physical damping that the run will see: that of its smallest amplitude.
+double expected_damping(const VibrationPlan& plan, bool decays, const span::SpanAtRest& span) {
+  if (plan.shape.size() == 0) return 0;
+  span::TrialCycles trial(span, plan.shape, plan.frequency);
+  if (!decays) return trial.damping_ratio(steady_amplitude(plan, span, trial));
+  const double amplitude = start_amplitude(plan, span);
+  const double late = trial.damping_ratio(trial.decayed_amplitude(amplitude, plan.cycles));
+  return late > 0 ? late : trial.damping_ratio(amplitude);
+}
+
+void choose_step(const Scene& scene, const build::Integration& integration, bool decays, const span::SpanAtRest& span,
+                 VibrationPlan& plan) {
+  if (integration.chooses_steps()) {
     // Half of one percent, or of the bound: the estimate is one of a trial cycle.
-    plan.aimed_share = std::min(0.01, integrator.max_numerical_share.value_or(casefile::default_numerical_share)) / 2;
-    plan.expected_damping_ratio = expected_damping(scene, span, shape, plan);
-    const int steps = solver::steps_for(
-        method_of(integrator), {.damping_ratio = *plan.expected_damping_ratio, .share = plan.aimed_share});
+    const double bound = scene.integrator.max_numerical_share.value_or(casefile::default_numerical_share);
+    plan.aimed_share = std::min(0.01, bound) / 2;
+    plan.expected_damping_ratio = expected_damping(plan, decays, span);
+    const int steps = solver::steps_for(integration.method(),
+                                        {.damping_ratio = *plan.expected_damping_ratio, .share = plan.aimed_share});
     plan.step = 1 / (plan.frequency * steps);
-  } else if (integrator.step == StepRule::adaptive) {
+  } else if (integration.controls_error()) {
     constexpr double least_per_cycle = 20;
     plan.step = 1 / (plan.frequency * least_per_cycle);
   } else {
-    plan.step = integrator.step_size.value_or(1 / (plan.frequency * integrator.steps_per_cycle.value_or(200)));
+    plan.step = integration.step_at(plan.frequency);
   }
-  if (integrator.step != StepRule::adaptive && plan.frequency > 0) {
-    plan.numerical_damping_ratio =
-        solver::damping_ratio(method_of(integrator), angle_per_step(plan.frequency, plan.step));
+  if (!integration.controls_error() && plan.frequency > 0) {
+    plan.numerical_damping_ratio = integration.damping_ratio(plan.frequency, plan.step);
   }
 }
 
 }  // namespace
 
-solver::IntegratorOptions options_of(const Scene& scene, const VibrationPlan& plan, double end_time) {
-  const bool adaptive = scene.integrator.step == casefile::StepRule::adaptive;
-  return {.step = plan.step,
-          .end_time = end_time,
-          .newton_tolerance = scene.integrator.newton_tolerance,
-          .relative_error = adaptive ? scene.integrator.rtol : 0,
-          .stop = {},
-          .drives = plan.drives};
+PlanRow row_of(const VibrationPlan& plan) {
+  PlanRow row{.step = plan.step, .numerical = plan.numerical_damping_ratio, .expected = plan.expected_damping_ratio};
+  if (plan.frequency > 0) {
+    row.frequency = plan.frequency;
+    row.steps_per_cycle = plan.steps_per_cycle();
+  }
+  if (plan.expected_damping_ratio) row.aimed_share = plan.aimed_share;
+  return row;
 }
 
-VibrationPlan plan_vibration(const Scene& scene, SpanAtRest& span) {
-  set_proportional_damping(scene, span);
-  std::vector<solver::Mode> modes;
-  if (const int count = highest_mode(scene)) {
-    modes = solver::transverse_modes(span.system, span.u, static_cast<std::size_t>(count));
+std::string words_of(const VibrationPlan& plan, const build::Integration& integration) {
+  if (plan.frequency == 0) return fmt::format("steps of {:.4g} s", plan.step);
+  std::string text = fmt::format("{:.5g} Hz, ", plan.frequency);
+  if (integration.controls_error()) {
+    return text + fmt::format(
+                      "steps by IDA's error control at {:.3g}, at least {:.0f} per cycle: their damping shows "
+                      "in the ledger only",
+                      integration.relative_error(), plan.steps_per_cycle());
   }
-  const auto mode = [&](int number) -> const solver::Mode& { return modes[static_cast<std::size_t>(number) - 1]; };
-  // Antinode amplitudes are those away from the ends: next to a clamp the crest of a mode is a little higher.
-  const auto unit_antinode = [&](const solver::Mode& m) -> system::Vector {
-    const double loop = build::loop_length(scene, span.built.tension, m.frequency);
-    return m.shape / observe::DeflectionPoints(span.built.model, loop).largest(m.shape.data());
-  };
+  text += fmt::format("{:.5g} steps per cycle", plan.steps_per_cycle());
+  if (plan.expected_damping_ratio) {
+    text += fmt::format(", chosen for a numerical share of {:.2g} % at an expected damping ratio of {:.3g}",
+                        100 * plan.aimed_share, *plan.expected_damping_ratio);
+  }
+  return text + fmt::format(": the integrator's own damping ratio will be {:.3g}", *plan.numerical_damping_ratio);
+}
 
-  VibrationPlan plan;
+void check_plan(const Scene& scene, const build::BuiltSpan& span, const PlanAsk& ask) {
+  const std::vector<NamedMode> modes = named_modes(scene, ask);
+  for (const NamedMode& mode : modes) build::require_modes(scene, span, mode.number, mode.key);
+  if (ask.counts_cycles && !has_drive(scene) && !scene.initial && !ask.mode) {
+    refuse(scene.source, "analysis.type", "nothing names a frequency, so there is no cycle to count",
+           "give a [[load]] of type \"harmonic-force\", or [initial] velocity_mode");
+  }
+}
+
+VibrationPlan plan_vibration(const Scene& scene, const build::Integration& integration, const PlanAsk& ask,
+                             span::SpanAtRest& span) {
+  span::set_proportional_damping(span);
+  int highest = 0;
+  for (const NamedMode& mode : named_modes(scene, ask)) highest = std::max(highest, mode.number);
+  const std::vector<solver::Mode> modes = span::modes_across(span, highest);
+  const auto mode = [&](int number) -> const solver::Mode& { return modes[static_cast<std::size_t>(number) - 1]; };
+
+  VibrationPlan plan{.cycles = ask.cycles, .until_steady = ask.until_steady};
   plan.velocity = system::Vector::Zero(span.u.size());
   plan.drives = find_drives(span, modes);
   for (const model::Drive& drive : plan.drives) plan.frequency = std::max(plan.frequency, drive.frequency);
   if (scene.initial) {
     const solver::Mode& m = mode(scene.initial->velocity_mode);
-    plan.velocity = scene.initial->antinode_velocity * unit_antinode(m);
+    plan.velocity = scene.initial->antinode_velocity * span::unit_antinode(span, m);
     if (plan.frequency == 0) plan.frequency = m.frequency;
   }
-  if (scene.analysis.type == AnalysisType::decay) {
-    const casefile::DecayAnalysis& decay = scene.analysis.decay;
-    const solver::Mode& m = mode(decay.mode);
+  if (ask.mode) {
+    const solver::Mode& m = mode(*ask.mode);
     plan.frequency = m.frequency;
-    plan.cycles = static_cast<std::size_t>(decay.cycles);
     // From rest in the mode's velocity: a deflected shape let go would be a shock to the sections.
-    if (decay.antinode_amplitude) {
-      plan.velocity = *decay.antinode_amplitude * 2 * std::numbers::pi * m.frequency * unit_antinode(m);
+    if (ask.antinode_amplitude) {
+      plan.velocity = *ask.antinode_amplitude * 2 * std::numbers::pi * m.frequency * span::unit_antinode(span, m);
     }
-  } else if (scene.analysis.type == AnalysisType::forced) {
-    const casefile::ForcedAnalysis& forced = scene.analysis.forced;
-    plan.until_steady = !forced.cycles.has_value();
-    plan.cycles = forced.cycles ? static_cast<std::size_t>(*forced.cycles) : most_cycles_until_steady;
   }
-  if (plan.frequency == 0 && scene.analysis.type != AnalysisType::transient) {
-    refuse(scene.source, "analysis.type", "nothing names a frequency, so there is no cycle to count",
-           "give a [[load]] of type \"harmonic-force\", or [initial] velocity_mode");
-  }
-  const solver::Mode* shaken = modes.empty() ? nullptr : &modes.back();
-  if (scene.analysis.type == AnalysisType::decay) shaken = &mode(scene.analysis.decay.mode);
-  choose_step(scene, span, shaken ? unit_antinode(*shaken) : system::Vector(), plan);
+  if (!modes.empty()) plan.shape = span::unit_antinode(span, ask.mode ? mode(*ask.mode) : modes.back());
+  choose_step(scene, integration, ask.mode.has_value(), span, plan);
   return plan;
+}
+
+double expected_amplitude(const VibrationPlan& plan, const span::SpanAtRest& span) {
+  if (plan.shape.size() == 0 || plan.frequency == 0) return 0;
+  span::TrialCycles trial(span, plan.shape, plan.frequency);
+  return steady_amplitude(plan, span, trial);
 }
 
 }  // namespace strandyn::study

@@ -8,7 +8,6 @@
 namespace strandyn::study {
 
 using casefile::Scene;
-using json = nlohmann::ordered_json;
 using section::Component;
 using section::Field;
 
@@ -36,7 +35,7 @@ struct Variant {
 };
 
 std::vector<Variant> variants_of(const Scene& scene) {
-  const casefile::SectionAnalysis& a = scene.analysis.section;
+  const casefile::SectionAnalysis& a = scene.as<casefile::SectionAnalysis>();
   std::vector<std::optional<double>> frictions(a.frictions.begin(), a.frictions.end());
   if (frictions.empty()) frictions.push_back(std::nullopt);
   std::vector<Variant> variants;
@@ -58,7 +57,7 @@ std::vector<Variant> variants_of(const Scene& scene) {
 }
 
 void add_loops(const Scene& scene, Variant& variant) {
-  const casefile::SectionAnalysis& a = scene.analysis.section;
+  const casefile::SectionAnalysis& a = scene.as<casefile::SectionAnalysis>();
   std::vector<double> tensions = casefile::section_tensions(scene);
   if (tensions.empty()) tensions.push_back(0);
   for (double tension : tensions) {
@@ -94,14 +93,14 @@ class March {
  public:
   March(const Scene& scene, Variant& variant)
       : loops_(variant.loops),
-        steps_per_cycle_(scene.analysis.section.steps_per_cycle),
+        steps_per_cycle_(scene.as<casefile::SectionAnalysis>().steps_per_cycle),
         law_(build::build_law(scene, dimension_of(scene), variant.strand ? &*variant.strand : nullptr)),
         strains_(law_->dimension(), loops_.size()),
         stresses_(law_->dimension(), loops_.size()),
         energy_(loops_.size()) {
     const build::SectionNumbers numbers = build::section_numbers(scene);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
-      const AxialState state = axial_state(numbers, scene.analysis.section.twist, loops_[i].tension);
+      const AxialState state = axial_state(numbers, scene.as<casefile::SectionAnalysis>().twist, loops_[i].tension);
       strains_[Component::axial][i] = state.strain;
       if (law_->dimension() == section::Dimension::spatial) strains_[Component::torsion][i] = state.twist;
     }
@@ -145,38 +144,71 @@ class March {
   section::Effort effort_;
 };
 
-json loop_json(const Variant& variant, const Loop& loop) {
-  json entry = {{"tension_N", loop.tension}};
-  if (variant.friction) entry["friction"] = *variant.friction;
-  entry["residual_forces"] = variant.residual_forces;
-  entry["curvature_per_m"] = loop.amplitude;
-  entry["area_J_per_m"] = loop.area;
-  entry["secant_stiffness_N_m2"] = loop.secant();
+/// The members of `loops`.
+struct LoopRow {
+  double tension = 0;
+  std::optional<double> friction{};
+  bool residual_forces = true;
+  double curvature = 0, area = 0, secant = 0;
+  std::optional<double> chi_0{}, M_0{}, over_chi_0{};
+};
+template <class V>
+void members(V& v, LoopRow& l) {
+  v.value("tension_N", l.tension, {.what = "the tension"});
+  v.value("friction", l.friction, {.what = "the friction coefficient of all contacts, where it was varied"});
+  v.value("residual_forces", l.residual_forces, {.what = "whether the residual forces of stranding act"});
+  v.value("curvature_per_m", l.curvature, {.what = "amplitude of the symmetric cycle"});
+  v.value("area_J_per_m", l.area, {.what = "of the second cycle: what friction takes", .shown = "loop area"});
+  v.value("secant_stiffness_N_m2", l.secant, {.what = "largest moment over amplitude", .shown = "secant stiffness"});
+  v.value("chi_0_per_m", l.chi_0, {.what = "yield curvature, of full slip"});
+  v.value("M_0_N_m", l.M_0, {.what = "yield moment"});
+  v.value("curvature_over_chi_0", l.over_chi_0, {.what = "the amplitude over the yield curvature"});
+}
+
+LoopRow row_of(const Variant& variant, const Loop& loop) {
+  LoopRow row{.tension = loop.tension,
+              .friction = variant.friction,
+              .residual_forces = variant.residual_forces,
+              .curvature = loop.amplitude,
+              .area = loop.area,
+              .secant = loop.secant()};
   if (variant.strand) {
-    entry["chi_0_per_m"] = loop.chi_0;
-    entry["M_0_N_m"] = loop.M_0;
-    entry["curvature_over_chi_0"] = loop.over_chi_0;
+    row.chi_0 = loop.chi_0;
+    row.M_0 = loop.M_0;
+    row.over_chi_0 = loop.over_chi_0;
   }
-  return entry;
+  return row;
 }
 
 /// With residual forces against without, at equal curvature over chi_0: what neglecting them does.
-json residual_comparison(const std::vector<Variant>& variants) {
-  json list = json::array();
+struct ResidualRow {
+  double tension = 0, over_chi_0 = 0, area_lower = 0, secant_ratio = 0, chi_0_lower = 0;
+};
+template <class V>
+void members(V& v, ResidualRow& r) {
+  v.value("tension_N", r.tension, {.what = "the tension"});
+  v.value("curvature_over_chi_0", r.over_chi_0, {.what = "the amplitude over the yield curvature"});
+  v.value("area_lower", r.area_lower, {.what = "by what part the area is lower without"});
+  v.value("secant_ratio", r.secant_ratio, {.what = "secant stiffness without over with"});
+  v.value("chi_0_lower", r.chi_0_lower, {.what = "by what part the yield curvature is lower without"});
+}
+
+std::vector<ResidualRow> residual_comparison(const std::vector<Variant>& variants) {
+  std::vector<ResidualRow> rows;
   for (std::size_t v = 0; v + 1 < variants.size(); v += 2) {
     const std::size_t count = std::min(variants[v].loops.size(), variants[v + 1].loops.size());
     for (std::size_t i = 0; i < count; ++i) {
       const Loop& with = variants[v].loops[i];
       const Loop& without = variants[v + 1].loops[i];
       if (without.tension != with.tension) continue;
-      list.push_back({{"tension_N", with.tension},
-                      {"curvature_over_chi_0", with.over_chi_0},
-                      {"area_lower", 1 - without.area / with.area},
-                      {"secant_ratio", without.secant() / with.secant()},
-                      {"chi_0_lower", 1 - without.chi_0 / with.chi_0}});
+      rows.push_back({.tension = with.tension,
+                      .over_chi_0 = with.over_chi_0,
+                      .area_lower = 1 - without.area / with.area,
+                      .secant_ratio = without.secant() / with.secant(),
+                      .chi_0_lower = 1 - without.chi_0 / with.chi_0});
     }
   }
-  return list;
+  return rows;
 }
 
 struct Samples {
@@ -201,15 +233,30 @@ std::optional<double> r_squared(const Samples& s) {
   return sxy * sxy / (sxx * syy);
 }
 
-/// How straight chi_0 and M_0 run over the tension (per friction) and over the friction (per tension): the lowest R^2.
-json linearity(const Scene& scene, const std::vector<Variant>& variants) {
-  json out = json::object();
-  const auto keep_lowest = [&out](const char* over, const char* what, const Samples& samples) {
-    const auto r2 = r_squared(samples);
-    if (!r2) return;
-    json& entry = out[over][what];
-    entry = entry.is_null() ? *r2 : std::min(entry.get<double>(), *r2);
-  };
+/// The lowest R^2 of straight lines.
+struct LinearRow {
+  std::optional<double> chi_0{}, M_0{};
+  void keep_lowest(std::optional<double>& kept, const Samples& samples) {
+    if (const auto r2 = r_squared(samples)) kept = std::min(*r2, kept.value_or(*r2));
+  }
+};
+template <class V>
+void members(V& v, LinearRow& l) {
+  v.value("chi_0_r2", l.chi_0, {.what = "of the yield curvature"});
+  v.value("M_0_r2", l.M_0, {.what = "of the yield moment"});
+}
+/// How straight chi_0 and M_0 run over the tension (per friction) and over the friction (per tension).
+struct LinearityRow {
+  std::optional<LinearRow> over_tension{}, over_friction{};
+};
+template <class V>
+void members(V& v, LinearityRow& l) {
+  v.record("over_tension", l.over_tension, {.what = "at each friction, the lowest"});
+  v.record("over_friction", l.over_friction, {.what = "at each tension, the lowest"});
+}
+
+LinearityRow linearity(const Scene& scene, const std::vector<Variant>& variants) {
+  LinearRow over_tension, over_friction;
   const std::vector<double> tensions = casefile::section_tensions(scene);
   const auto sample = [&](const Variant& v, double tension) {
     return exact::full_slip_at_points(*v.strand, tension, scene.section.points);
@@ -223,8 +270,8 @@ json linearity(const Scene& scene, const std::vector<Variant>& variants) {
       M_0.y.push_back(slip.M_0);
     }
     M_0.x = chi_0.x;
-    keep_lowest("over_tension", "chi_0_r2", chi_0);
-    keep_lowest("over_tension", "M_0_r2", M_0);
+    over_tension.keep_lowest(over_tension.chi_0, chi_0);
+    over_tension.keep_lowest(over_tension.M_0, M_0);
   }
   for (double tension : tensions) {
     for (bool residual_forces : {true, false}) {
@@ -237,44 +284,91 @@ json linearity(const Scene& scene, const std::vector<Variant>& variants) {
         M_0.y.push_back(slip.M_0);
       }
       M_0.x = chi_0.x;
-      keep_lowest("over_friction", "chi_0_r2", chi_0);
-      keep_lowest("over_friction", "M_0_r2", M_0);
+      over_friction.keep_lowest(over_friction.chi_0, chi_0);
+      over_friction.keep_lowest(over_friction.M_0, M_0);
     }
   }
+  LinearityRow out;
+  if (over_tension.chi_0 || over_tension.M_0) out.over_tension = over_tension;
+  if (over_friction.chi_0 || over_friction.M_0) out.over_friction = over_friction;
   return out;
+}
+
+struct CyclesSummary {
+  std::optional<double> chi_0{}, M_0{};
+  std::vector<LoopRow> loops;
+  std::optional<std::vector<ResidualRow>> without_residual_forces{};
+  std::optional<LinearityRow> linearity{};
+};
+template <class V>
+void members(V& v, CyclesSummary& s) {
+  v.value("chi_0_per_m", s.chi_0, {.what = "yield curvature of the first loop", .shown = "curvature of full slip"});
+  v.value("M_0_N_m", s.M_0, {.what = "its moment", .shown = "moment of full slip"});
+  v.list("loops", s.loops, {.what = "each symmetric cycle"});
+  v.list("without_residual_forces", s.without_residual_forces, {.what = "what neglecting them does"});
+  v.record("linearity", s.linearity, {.what = "R^2 of straight lines of chi_0 and M_0"});
 }
 
 }  // namespace
 
-void run_section_cycles(const Scene& scene, CaseResult& result) {
-  if (scene.analysis.section.steps_per_cycle % 4 != 0) {
+void check_cycles(const Scene& scene) {
+  const auto& keys = scene.as<casefile::SectionAnalysis>();
+  if (keys.steps_per_cycle % 4 != 0) {
     refuse(scene.source, "analysis.steps_per_cycle", "the peaks of the path fall between steps",
            "give a multiple of 4");
   }
+  build::build_law(scene, dimension_of(scene));
+}
+
+double expected_of_cycles(const Scene& scene) {
+  const auto& keys = scene.as<casefile::SectionAnalysis>();
+  const int steps = keys.steps_per_cycle + keys.steps_per_cycle / 4 + keys.steps_per_cycle;
+  double loops = 0;
+  for (Variant& variant : variants_of(scene)) {
+    add_loops(scene, variant);
+    loops += static_cast<double>(variant.loops.size());
+  }
+  return loops * (2.0 * steps + 1);
+}
+
+void run_cycles(const Scene& scene, Outcome& outcome) {
   std::vector<Variant> variants = variants_of(scene);
   results::Table history({"loop", "tension_N", "curvature_per_m", "moment_N_m"});
-  json loops = json::array();
+  CyclesSummary summary;
   section::Effort effort;
   for (Variant& variant : variants) {
     add_loops(scene, variant);
-    if (!variant.loops.empty()) effort += March(scene, variant).run(loops.size(), history);
-    for (const Loop& loop : variant.loops) loops.push_back(loop_json(variant, loop));
+    if (!variant.loops.empty()) effort += March(scene, variant).run(summary.loops.size(), history);
+    for (const Loop& loop : variant.loops) summary.loops.push_back(row_of(variant, loop));
   }
   if (variants.front().strand && !variants.front().loops.empty()) {
-    result.summary["chi_0_per_m"] = variants.front().loops.front().chi_0;
-    result.summary["M_0_N_m"] = variants.front().loops.front().M_0;
+    summary.chi_0 = variants.front().loops.front().chi_0;
+    summary.M_0 = variants.front().loops.front().M_0;
   }
-  result.summary["loops"] = loops;
-  if (scene.analysis.section.compare_residual_forces) {
-    result.summary["without_residual_forces"] = residual_comparison(variants);
+  if (scene.as<casefile::SectionAnalysis>().compare_residual_forces) {
+    summary.without_residual_forces = residual_comparison(variants);
   }
   if (variants.front().strand) {
-    const json straight = linearity(scene, variants);
-    if (!straight.empty()) result.summary["linearity"] = straight;
+    const LinearityRow straight = linearity(scene, variants);
+    if (straight.over_tension || straight.over_friction) summary.linearity = straight;
   }
-  result.summary["cost"]["section_evaluations"] = effort.evaluations;
-  result.summary["cost"]["section_sweeps"] = effort.sweeps;
-  result.tables.push_back({"loop.csv", std::move(history)});
+  outcome.tell(summary);
+  outcome.cost.section_evaluations = effort.evaluations;
+  outcome.cost.section_sweeps = effort.sweeps;
+  outcome.tables.push_back({.file = "loop.csv", .table = std::move(history)});
+  outcome.tables.push_back({.file = "loops.csv", .table = results::table_of(summary.loops, "loop")});
+  outcome.figures.push_back({.name = "loops",
+                             .title = "Hysteresis of the cross section",
+                             .table = "loop.csv",
+                             .x = "curvature_per_m",
+                             .y = {"moment_N_m"},
+                             .series = {"loop", "tension_N"},
+                             .caption = "Bending moment against curvature over closed cycles. The area of a loop is "
+                                        "the energy that friction takes from a metre of conductor in that cycle."});
+  outcome.shown.push_back(
+      {.title = "Loops",
+       .table = "loops.csv",
+       .columns = {"loop", "tension_N", "curvature_per_m", "area_J_per_m", "secant_stiffness_N_m2"}});
 }
 
 }  // namespace strandyn::study

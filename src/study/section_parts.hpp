@@ -1,7 +1,8 @@
 #pragma once
-/// \file The three ways to run a section: symmetric cycles, a path from a file, wires under monotonic bending.
+/// \file The ways to run a section: symmetric cycles, a path from a file, wires under monotonic bending.
 
-#include "parts.hpp"
+#include "strandyn/build/section_law.hpp"
+#include "strandyn/study/analysis.hpp"
 
 namespace strandyn::study {
 
@@ -15,8 +16,15 @@ AxialState axial_state(const build::SectionNumbers& n, casefile::Twist twist, do
 /// A section twists only in the spatial law; the planar one serves, and costs less, where it does not.
 section::Dimension dimension_of(const casefile::Scene& scene);
 
-void run_section_cycles(const casefile::Scene& scene, CaseResult& result);
-void run_section_path(const casefile::Scene& scene, CaseResult& result);
-void list_wires(const casefile::Scene& scene, CaseResult& result);
+/// Each `check` refuses what its `run` cannot do.
+void check_cycles(const casefile::Scene& scene);
+double expected_of_cycles(const casefile::Scene& scene);  ///< section evaluations
+void run_cycles(const casefile::Scene& scene, Outcome& outcome);
+
+results::Table check_path(const casefile::Scene& scene);
+void run_path(const casefile::Scene& scene, const results::Table& path, Outcome& outcome);
+
+void check_wires(const casefile::Scene& scene);
+void list_wires(const casefile::Scene& scene, Outcome& outcome);
 
 }  // namespace strandyn::study

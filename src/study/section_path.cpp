@@ -7,7 +7,6 @@
 namespace strandyn::study {
 
 using casefile::Scene;
-using json = nlohmann::ordered_json;
 using section::Component;
 using section::Field;
 
@@ -18,7 +17,7 @@ constexpr std::array<const char*, 5> known_columns = {"axial_strain", "tension_N
 
 results::Table read_path(const Scene& scene) {
   const std::filesystem::path beside = std::filesystem::path(scene.source.file).parent_path();
-  results::Table path = results::read_csv(beside / *scene.analysis.section.path);
+  results::Table path = results::read_csv(beside / *scene.as<casefile::SectionAnalysis>().path);
   std::string names;
   for (const char* name : known_columns) names += fmt::format("{}{}", names.empty() ? "" : ", ", name);
   for (const std::string& name : path.names()) {
@@ -62,13 +61,42 @@ class Rows {
   double tension_ = 0;  // [N] of the analysis, for a file without its own
 };
 
+/// The last state of the path and what it took.
+struct PathRow {
+  std::size_t steps = 0;
+  double stored = 0, dissipated = 0, quadrature_error = 0;
+};
+template <class V>
+void members(V& v, PathRow& p) {
+  v.value("steps", p.steps, {.what = "rows of the file"});
+  v.value("stored_J_per_m", p.stored, {.what = "energy of the last state"});
+  v.value("dissipated_J_per_m", p.dissipated, {.what = "along the path", .shown = "dissipated"});
+  v.value("quadrature_error_J_per_m", p.quadrature_error, {.what = "error of the steps"});
+}
+struct PathSummary {
+  PathRow path;
+};
+template <class V>
+void members(V& v, PathSummary& s) {
+  v.record("path", s.path, {.what = "the path as a whole"});
+}
+
+section::Dimension dimension_of_path(const Scene& scene, const results::Table& path) {
+  const bool planar = !path.has("torsion_per_m") && !path.has("curvature_3_per_m") && !scene.section.axial_resultants;
+  return planar ? section::Dimension::planar : section::Dimension::spatial;
+}
+
 }  // namespace
 
-void run_section_path(const Scene& scene, CaseResult& result) {
-  const results::Table path = read_path(scene);
+results::Table check_path(const Scene& scene) {
+  results::Table path = read_path(scene);
+  build::build_law(scene, dimension_of_path(scene, path));
+  return path;
+}
+
+void run_path(const Scene& scene, const results::Table& path, Outcome& outcome) {
   const Rows rows(scene, path);
-  const bool planar = !path.has("torsion_per_m") && !path.has("curvature_3_per_m") && !scene.section.axial_resultants;
-  const auto dimension = planar ? section::Dimension::planar : section::Dimension::spatial;
+  const section::Dimension dimension = dimension_of_path(scene, path);
   const auto law = build::build_law(scene, dimension);
   Field strains(dimension, 1);
   Field stresses(dimension, 1);
@@ -101,14 +129,26 @@ void run_section_path(const Scene& scene, CaseResult& result) {
     line.insert(line.end(), {energy.stored[0], dissipated, quadrature_error});
     history.append(line);
   }
-  result.summary["path"] = {{"steps", path.rows()},
-                            {"stored_J_per_m", energy.stored[0]},
-                            {"dissipated_J_per_m", dissipated},
-                            {"quadrature_error_J_per_m", quadrature_error}};
-  result.summary["cost"]["steps"] = path.rows();
-  result.summary["cost"]["section_evaluations"] = effort.evaluations;
-  result.summary["cost"]["section_sweeps"] = effort.sweeps;
-  result.tables.push_back({"path.csv", std::move(history)});
+  outcome.tell(PathSummary{.path = {.steps = path.rows(),
+                                    .stored = energy.stored[0],
+                                    .dissipated = dissipated,
+                                    .quadrature_error = quadrature_error}});
+  outcome.cost.steps = path.rows();
+  outcome.cost.section_evaluations = effort.evaluations;
+  outcome.cost.section_sweeps = effort.sweeps;
+  outcome.tables.push_back({.file = "path.csv", .table = std::move(history)});
+  outcome.figures.push_back({.name = "path",
+                             .title = "Moment along the path",
+                             .table = "path.csv",
+                             .x = "curvature_2_per_m",
+                             .y = {"M2_N_m"},
+                             .caption = "Bending moment against curvature about the same axis."});
+  outcome.figures.push_back({.name = "path_dissipated",
+                             .title = "Dissipated along the path",
+                             .table = "path.csv",
+                             .x = "curvature_2_per_m",
+                             .y = {"dissipated_J_per_m"},
+                             .caption = "What friction has taken from a metre since the start."});
 }
 
 }  // namespace strandyn::study

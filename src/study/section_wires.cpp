@@ -4,12 +4,11 @@
 
 #include "section_parts.hpp"
 #include "strandyn/exact/papailiou.hpp"
-#include "strandyn/section/wire_state.hpp"
+#include "strandyn/section/spatial_return_map.hpp"
 
 namespace strandyn::study {
 
 using casefile::Scene;
-using json = nlohmann::ordered_json;
 using section::Component;
 using section::Field;
 
@@ -21,31 +20,61 @@ double papailiou_limit(const exact::PapailiouLayer& layer, double theta) {
   return layer.limit_force(from_neutral_plane);
 }
 
-json layer_json(const section::LayerState& layer, double axial_force) {
+/// A layer of a bent section.
+struct LayerRow {
+  double highest = 0, lowest = 0, slipping_share = 0, f_int = 0, f_ext = 0;
+  std::optional<double> papailiou_highest{}, papailiou_lowest{}, largest_excess{};
+};
+template <class V>
+void members(V& v, LayerRow& l) {
+  v.value("highest_bending_force_N", l.highest, {.what = "of a wire, beyond its axial force"});
+  v.value("lowest_bending_force_N", l.lowest, {.what = "of a wire, beyond its axial force"});
+  v.value("slipping_share", l.slipping_share, {.what = "of the points around the lay"});
+  v.value("f_int_N_per_m", l.f_int, {.what = "force of the inner contact"});
+  v.value("f_ext_N_per_m", l.f_ext, {.what = "force of the outer contact"});
+  v.value("papailiou_highest_N", l.papailiou_highest, {.what = "Papailiou's limit on the tension side"});
+  v.value("papailiou_lowest_N", l.papailiou_lowest, {.what = "on the compression side"});
+  v.value("largest_excess_over_papailiou", l.largest_excess, {.what = "of the wires' forces, relative"});
+}
+/// A section bent to a curvature.
+struct WiresRow {
+  double curvature = 0, moment = 0;
+  std::vector<LayerRow> layers;
+};
+template <class V>
+void members(V& v, WiresRow& w) {
+  v.value("curvature_per_m", w.curvature, {.what = "of monotonic bending"});
+  v.value("moment_N_m", w.moment, {.what = "at that curvature"});
+  v.list("layers", w.layers, {.what = "each layer around the core"});
+}
+
+LayerRow row_of(const section::LayerState& layer, double axial_force) {
   const auto [low, high] = std::minmax_element(layer.force.begin(), layer.force.end());
   const auto slipping = std::count(layer.slips.begin(), layer.slips.end(), true);
-  return {{"highest_bending_force_N", *high - axial_force},
-          {"lowest_bending_force_N", *low - axial_force},
-          {"slipping_share", static_cast<double>(slipping) / static_cast<double>(layer.slips.size())},
-          {"f_int_N_per_m", layer.f_int},
-          {"f_ext_N_per_m", layer.f_ext}};
+  return {.highest = *high - axial_force,
+          .lowest = *low - axial_force,
+          .slipping_share = static_cast<double>(slipping) / static_cast<double>(layer.slips.size()),
+          .f_int = layer.f_int,
+          .f_ext = layer.f_ext};
 }
 
 }  // namespace
 
+void check_wires(const Scene& scene) {
+  if (scene.as<casefile::SectionAnalysis>().wires_at.empty() || build::has_wires(scene.section.law)) return;
+  refuse(scene.source, "analysis.wires_at_per_m", "this law knows no wires", "use law = \"return-map\"");
+}
+
 /// Monotonic bending of a virgin section; at each asked curvature the wires of every layer along one lay.
-void list_wires(const Scene& scene, CaseResult& result) {
-  std::vector<double> curvatures = scene.analysis.section.wires_at;
+void list_wires(const Scene& scene, Outcome& outcome) {
+  std::vector<double> curvatures = scene.as<casefile::SectionAnalysis>().wires_at;
   if (curvatures.empty()) return;
-  if (scene.section.law != casefile::Law::return_map) {
-    refuse(scene.source, "analysis.wires_at_per_m", "this law knows no wires", "use law = \"return-map\"");
-  }
   std::sort(curvatures.begin(), curvatures.end());
   const conductor::Strand& strand = scene.conductor->strand;
   const std::vector<double> tensions = casefile::section_tensions(scene);
   const double tension = tensions.empty() ? 0 : tensions.front();
   const build::SectionNumbers numbers = build::section_numbers(scene);
-  const AxialState axial = axial_state(numbers, scene.analysis.section.twist, tension);
+  const AxialState axial = axial_state(numbers, scene.as<casefile::SectionAnalysis>().twist, tension);
 
   const section::SpatialReturnMap law(strand, {.points = scene.section.points});
   Field strains(section::Dimension::spatial, 1);
@@ -61,7 +90,7 @@ void list_wires(const Scene& scene, CaseResult& result) {
 
   results::Table table(
       {"curvature_per_m", "layer", "theta_rad", "force_N", "stress_Pa", "gradient_N_per_m", "limit_N_per_m", "slips"});
-  json list = json::array();
+  std::vector<WiresRow> rows;
   for (double curvature : curvatures) {
     // In small steps: a limit that follows the force feels the way.
     constexpr int steps = 200;
@@ -71,37 +100,45 @@ void list_wires(const Scene& scene, CaseResult& result) {
       law.commit(memory, strains, energy);
     }
     law.respond(memory, strains, stresses, nullptr);
-    const section::WireState wires = section::wire_state(law, memory, 0);
-    json entry = {{"curvature_per_m", curvature}, {"moment_N_m", stresses[Component::bending2][0]}};
-    entry["layers"] = json::array();
+    const section::WireState wires = law.wires(memory, strains, 0);
+    WiresRow& entry = rows.emplace_back();
+    entry.curvature = curvature;
+    entry.moment = stresses[Component::bending2][0];
     for (std::size_t j = 0; j < wires.layers.size(); ++j) {
       const section::LayerState& layer = wires.layers[j];
       const double c = std::cos(strand.layers[j + 1].lay_angle);
       const double s = std::sin(strand.layers[j + 1].lay_angle);
       const double axial_force = strand.layers[j + 1].EA_wire() *
                                  (c * c * axial.strain + strand.layers[j + 1].helix_radius * s * c * axial.twist);
-      json in_layer = layer_json(layer, axial_force);
+      LayerRow in_layer = row_of(layer, axial_force);
       if (papailiou) {
-        in_layer["papailiou_highest_N"] = papailiou->limit_force(std::numbers::pi / 2);
-        in_layer["papailiou_lowest_N"] = papailiou->limit_force(-std::numbers::pi / 2);
+        in_layer.papailiou_highest = papailiou->limit_force(std::numbers::pi / 2);
+        in_layer.papailiou_lowest = papailiou->limit_force(-std::numbers::pi / 2);
         double largest_excess = 0;
         for (std::size_t i = 0; i < wires.theta.size(); ++i) {
           const double limit = papailiou_limit(*papailiou, wires.theta[i]);
           largest_excess = std::max(largest_excess, (layer.force[i] - axial_force) / limit - 1);
         }
-        in_layer["largest_excess_over_papailiou"] = largest_excess;
+        in_layer.largest_excess = largest_excess;
       }
-      entry["layers"].push_back(in_layer);
+      entry.layers.push_back(in_layer);
       for (std::size_t i = 0; i < wires.theta.size(); ++i) {
         table.append(std::array{curvature, static_cast<double>(j + 1), wires.theta[i], layer.force[i],
                                 layer.force[i] / strand.layers[j + 1].wire_area, layer.gradient[i], layer.limit[i],
                                 layer.slips[i] ? 1.0 : 0.0});
       }
     }
-    list.push_back(entry);
   }
-  result.summary["wires"] = list;
-  result.tables.push_back({"wires.csv", std::move(table)});
+  outcome.summary.set("wires", results::to_value(rows));
+  outcome.tables.push_back({.file = "wires.csv", .table = std::move(table)});
+  outcome.figures.push_back({.name = "wires",
+                             .title = "Wire forces around the section",
+                             .kind = "section",
+                             .table = "wires.csv",
+                             .x = "theta_rad",
+                             .y = {"force_N"},
+                             .series = {"curvature_per_m", "layer"},
+                             .caption = "Force of the wires of each layer around the lay, under monotonic bending."});
 }
 
 }  // namespace strandyn::study

@@ -2,52 +2,56 @@
 
 #include <algorithm>
 
-#include "strandyn/section/wire_state.hpp"
+#include "strandyn/build/section_law.hpp"
 
 namespace strandyn::study {
 
-using json = nlohmann::ordered_json;
+void check_slip_map(const casefile::Scene& scene) {
+  if (scene.as<casefile::StaticAnalysis>().slip_map_loads.empty() || build::has_wires(scene.section.law)) return;
+  refuse(scene.source, "analysis.slip_map_loads_N", "this law knows no wires", "use law = \"return-map\"");
+}
 
-SlipMap::SlipMap(const casefile::Scene& scene, const SpanAtRest& span, std::size_t node)
+SlipMap::SlipMap(const casefile::Scene& scene, const span::SpanAtRest& span, std::size_t node)
     : span_(span),
-      wanted_(scene.analysis.static_.slip_map_loads),
+      wanted_(scene.as<casefile::StaticAnalysis>().slip_map_loads),
       point_(node > 0 ? node * beam::gauss_points - 1 : 0),
       table_({"load_N", "layer", "theta_rad", "force_N", "gradient_N_per_m", "limit_N_per_m", "slips"}) {
   std::sort(wanted_.begin(), wanted_.end());
-  if (!wanted_.empty() && scene.section.law != casefile::Law::return_map) {
-    refuse(scene.source, "analysis.slip_map_loads_N", "this law knows no wires", "use law = \"return-map\"");
-  }
 }
 
 void SlipMap::watch(double load) {
   for (; next_ < wanted_.size() && load >= wanted_[next_] * (1 - 1e-9); ++next_) {
-    const section::Law* law = span_.built.model.law.get();
-    const section::History& history = span_.system.history();
-    const auto* planar = dynamic_cast<const section::PlanarReturnMap*>(law);
     const section::WireState wires =
-        planar ? section::wire_state(*planar, history, point_,
-                                     span_.system.committed_strains()[section::Component::axial][point_])
-               : section::wire_state(dynamic_cast<const section::SpatialReturnMap&>(*law), history, point_);
-    json layers = json::array();
+        span_.built.model.law->wires(span_.system.history(), span_.system.committed_strains(), point_);
+    SlipMapRow& row = rows_.emplace_back();
+    row.load = load;
     for (std::size_t j = 0; j < wires.layers.size(); ++j) {
       const section::LayerState& layer = wires.layers[j];
       const auto slipping = static_cast<double>(std::count(layer.slips.begin(), layer.slips.end(), true));
-      layers.push_back({{"layer", j + 1}, {"slipping_share", slipping / static_cast<double>(layer.slips.size())}});
+      row.layers.push_back({.layer = j + 1, .slipping_share = slipping / static_cast<double>(layer.slips.size())});
       for (std::size_t i = 0; i < wires.theta.size(); ++i) {
         table_.append(std::array{load, static_cast<double>(j + 1), wires.theta[i], layer.force[i], layer.gradient[i],
                                  layer.limit[i], layer.slips[i] ? 1.0 : 0.0});
       }
     }
-    list_.push_back({{"load_N", load}, {"layers", layers}});
   }
 }
 
-void SlipMap::add_to(CaseResult& result) {
+void SlipMap::add_to(Outcome& outcome) {
   if (wanted_.empty()) return;
-  result.summary["slip_maps"] = list_;
-  result.tables.push_back({"slip_maps.csv", std::move(table_)});
+  outcome.summary.set("slip_maps", results::to_value(rows_));
+  outcome.tables.push_back({.file = "slip_maps.csv", .table = std::move(table_)});
+  outcome.figures.push_back({.name = "slip_maps",
+                             .title = "Wire forces around the section",
+                             .kind = "section",
+                             .table = "slip_maps.csv",
+                             .x = "theta_rad",
+                             .y = {"force_N"},
+                             .series = {"load_N", "layer"},
+                             .caption = "Force of the wires of each layer around the lay, at the section beside the "
+                                        "loaded point."});
   if (next_ < wanted_.size()) {
-    result.summary["warnings"].push_back("analysis.slip_map_loads_N asks for loads that the run did not reach");
+    outcome.warnings.emplace_back("analysis.slip_map_loads_N asks for loads that the run did not reach");
   }
 }
 

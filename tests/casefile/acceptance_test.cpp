@@ -4,15 +4,16 @@
 
 #include <limits>
 
+#include "strandyn/results/json.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn::casefile;
-using nlohmann::ordered_json;
+using strandyn::results::Value;
 using strandyn::test::check_close;
 
 namespace {
 
-const ordered_json summary = ordered_json::parse(R"({
+const Value summary = strandyn::results::from_text(R"({
   "status": "done",
   "steady": {"damping_ratio": 0.00121, "converged": true, "numerical_share": null},
   "loops": [{"area_J_per_m": 1.5}, {"area_J_per_m": 4.0}],
@@ -21,7 +22,8 @@ const ordered_json summary = ordered_json::parse(R"({
   "nested": [{"v": [1, 2]}, {"v": [5, 4]}],
   "frequencies_Hz": [1.0, 2.5],
   "empty": []
-})");
+})",
+                                                   "the test");
 
 Verdict verdict_of(Criterion criterion, int exit_code = 0) {
   criterion.reason = "a reason";
@@ -73,7 +75,7 @@ TEST_CASE("a path that leads nowhere is a failed verdict that says where it ende
   CHECK(fault_at("empty[0]") == "`empty` has 0 elements, no [0]");
   CHECK(fault_at("steady[0]") == "`steady` is no list");
   CHECK(fault_at("cycles.x") == "`cycles` has no `x`");
-  CHECK(fault_at("steady") == "`steady` is object, no number");
+  CHECK(fault_at("steady") == "`steady` is an object, no number");
   CHECK(fault_at("steady.numerical_share") == "`steady.numerical_share` is null, no number");
 }
 
@@ -130,13 +132,40 @@ TEST_CASE("words and truths compare as they are, and a word is no number") {
 }
 
 TEST_CASE("a value that is no number at all fails every criterion") {
-  ordered_json broken;
-  broken["x"] = std::numeric_limits<double>::quiet_NaN();
+  Value broken;
+  broken.set("x", std::numeric_limits<double>::quiet_NaN());
   Acceptance all;
   all.criteria.push_back({.path = "x", .below = 1.0});
   all.criteria.push_back({.path = "x", .above = 1.0});
   all.criteria.push_back({.path = "x", .expected = 1.0, .relative = 1e9});
   for (const Verdict& verdict : judge(all, broken, 0)) CHECK_FALSE(verdict.passed);
+}
+
+TEST_CASE("reductions go over all entries of a list that keeps its ends only") {
+  Value list = Value::list();
+  for (const double x : {1.0, 2.0, 9.0, 10.0}) {
+    Value entry;
+    entry.set("x", x);
+    list.append(std::move(entry));
+  }
+  strandyn::results::Reductions all{.count = 10};
+  all.members["x"] = {.least = -3, .largest = 40, .sum = 100};
+  list.say_of_all(std::move(all));
+  Value tree;
+  tree.set("cycles", std::move(list));
+  const auto at = [&](const std::string& path) {
+    Acceptance one;
+    one.criteria.push_back({.path = path, .below = 1e300});
+    return judge(one, tree, 0).front();
+  };
+  CHECK(at("cycles[max].x").got == 40);
+  CHECK(at("cycles[min].x").got == -3);
+  CHECK(at("cycles[sum].x").got == 100);
+  CHECK(at("cycles[1].x").got == 2);
+  CHECK(at("cycles[-1].x").got == 10);
+  CHECK(at("cycles[8].x").got == 9);
+  CHECK_FALSE(at("cycles[5].x").got);
+  CHECK(at("cycles[5].x").found.find("keeps the first and the last of 10") != std::string::npos);
 }
 
 TEST_CASE("each entry of the table gets its verdict, with reason and source") {

@@ -28,8 +28,8 @@ TEST_CASE("a case in the units of its keys becomes a scene in SI") {
   CHECK(scene.loads[0].type == LoadType::harmonic_force);
   CHECK(scene.loads[0].value() == 20.0);
   CHECK(scene.loads[0].frequency == 24.0);
-  CHECK(scene.analysis.type == AnalysisType::forced);
-  CHECK(scene.analysis.forced.cycles == 200);
+  CHECK(scene.is<ForcedAnalysis>());
+  CHECK(scene.as<casefile::ForcedAnalysis>().cycles == 200);
   REQUIRE(scene.conductor);
   const conductor::Layer& outer = scene.conductor->strand.layers.at(4);
   CHECK(outer.diameter == 0.00352);  // the nearest double: millimetres are divided by 1000
@@ -50,7 +50,7 @@ TEST_CASE("what a case does not say takes its default") {
   CHECK(scene.integrator.method == Method::ida);
   CHECK(scene.integrator.steps_per_cycle == 200);
   CHECK_FALSE(scene.integrator.max_numerical_share.has_value());
-  CHECK(scene.analysis.modes.count == 12);
+  CHECK(scene.as<casefile::ModesAnalysis>().count == 12);
   CHECK_FALSE(scene.conductor.has_value());
   CHECK(scene.accept.criteria.empty());
 }
@@ -159,13 +159,13 @@ TEST_CASE("--set changes one key, and a bare word is a string") {
 TEST_CASE("--set displaces the keys of the file that it excludes") {
   const Scene scene = read(lab_span, {"span.tension_rts=0.2", "analysis.until=steady"});
   CHECK_FALSE(scene.span->tension.has_value());
-  CHECK_FALSE(scene.analysis.forced.cycles.has_value());
-  CHECK(scene.analysis.forced.until == Until::steady);
+  CHECK_FALSE(scene.as<casefile::ForcedAnalysis>().cycles.has_value());
+  CHECK(scene.as<casefile::ForcedAnalysis>().until == Until::steady);
 }
 
 TEST_CASE("--set of a choice drops the keys of the file that belong to another one") {
   const Scene scene = read(lab_span, {"analysis.type=modes"});
-  CHECK(scene.analysis.type == AnalysisType::modes);
+  CHECK(scene.is<ModesAnalysis>());
   const std::string fixed = lab_span + "[integrator]\nsteps_per_cycle = 400\n";
   const Integrator adaptive = read(fixed, {"integrator.step=adaptive", "integrator.rtol=1e-5"}).integrator;
   CHECK_FALSE(adaptive.steps_per_cycle.has_value());

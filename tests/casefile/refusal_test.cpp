@@ -1,12 +1,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
-#include "strandyn/build/span.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/core/error.hpp"
 #include "texts.hpp"
@@ -15,42 +12,6 @@ using namespace strandyn;
 using strandyn::test::contains;
 using strandyn::test::lab_span;
 using strandyn::test::refusal;
-
-namespace {
-
-/// The phrases of the `# refuses:` lines that a file begins with.
-std::vector<std::string> required_phrases(const std::filesystem::path& file) {
-  const std::string mark = "# refuses: ";
-  std::vector<std::string> phrases;
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line) && line.starts_with(mark);)
-    phrases.push_back(line.substr(mark.size()));
-  return phrases;
-}
-
-}  // namespace
-
-TEST_CASE("every file of cases/refused is refused in the words that it asks for") {
-  const std::filesystem::path folder = std::filesystem::path(STRANDYN_SOURCE_DIR) / "cases" / "refused";
-  int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".toml") continue;
-    ++files;
-    CAPTURE(entry.path().filename().string());
-    const auto phrases = required_phrases(entry.path());
-    CHECK(phrases.size() >= 2);
-    std::string message = "accepted";
-    try {
-      build::check_buildable(casefile::read_scene(entry.path()));
-    } catch (const InputError& error) {
-      message = error.what();
-    }
-    for (const std::string& phrase : phrases) {
-      CHECK_MESSAGE(contains(message, phrase), "wanted \"", phrase, "\" in: ", message);
-    }
-  }
-  CHECK(files >= 14);
-}
 
 TEST_CASE("a refusal is one line: place, key, text found, what is wrong, what would be right") {
   std::string text = lab_span;

@@ -2,13 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "strandyn/casefile/echo.hpp"
+#include "strandyn/results/json.hpp"
 #include "texts.hpp"
 
 using nlohmann::ordered_json;
-using strandyn::casefile::case_as_run;
 using strandyn::casefile::case_schema;
 
 namespace {
@@ -46,7 +47,7 @@ void for_each_property(const ordered_json& schema, const Visit& visit) {
 }  // namespace
 
 TEST_CASE("the schema says unit, default, bounds, choices and need of a key") {
-  const ordered_json schema = case_schema();
+  const ordered_json schema = ordered_json::parse(case_schema());
   CHECK(schema["$schema"] == "https://json-schema.org/draft/2020-12/schema");
   CHECK(schema["required"] == ordered_json::array({"analysis"}));
   CHECK(schema["additionalProperties"] == false);
@@ -64,14 +65,17 @@ TEST_CASE("the schema says unit, default, bounds, choices and need of a key") {
 
 TEST_CASE("the schema describes every key that a case as run shows") {
   using namespace strandyn::test;
+  const ordered_json schema = ordered_json::parse(case_schema());
   for (const std::string& text : {lab_span, beam, three_layers, bend, pushed}) {
-    check_described(case_as_run(strandyn::test::read(text)), case_schema(), "");
+    check_described(
+        ordered_json::parse(strandyn::results::to_text(strandyn::casefile::case_as_run(strandyn::test::read(text)))),
+        schema, "");
   }
 }
 
 TEST_CASE("every key has a help text, and a unit in the text stands in the name of the key") {
   int keys = 0;
-  for_each_property(case_schema(), [&](const std::string& key, const ordered_json& schema) {
+  for_each_property(ordered_json::parse(case_schema()), [&](const std::string& key, const ordered_json& schema) {
     ++keys;
     CAPTURE(key);
     const std::string help = schema.value("description", "");
@@ -88,7 +92,7 @@ TEST_CASE("every key has a help text, and a unit in the text stands in the name 
 }
 
 TEST_CASE("the schema ties a key to the choice that it belongs to") {
-  const ordered_json rules = case_schema()["properties"]["analysis"]["allOf"];
+  const ordered_json rules = ordered_json::parse(case_schema())["properties"]["analysis"]["allOf"];
   bool found = false;
   for (const auto& rule : rules) {
     if (rule.value("if", ordered_json{}) != ordered_json{{"required", {"count"}}}) continue;
@@ -98,7 +102,7 @@ TEST_CASE("the schema ties a key to the choice that it belongs to") {
 }
 
 TEST_CASE("the schema knows motions and bodies with their bounds") {
-  const ordered_json schema = case_schema();
+  const ordered_json schema = ordered_json::parse(case_schema());
   const ordered_json& motion = schema["properties"]["motion"]["items"];
   CHECK(motion["required"] == ordered_json::array({"type"}));
   CHECK(motion["properties"]["at"]["enum"] == ordered_json::array({"left", "right"}));
@@ -112,7 +116,7 @@ TEST_CASE("the schema knows motions and bodies with their bounds") {
 }
 
 TEST_CASE("the schema forbids 0 where a number must not be 0 and asks for it under its choice only") {
-  const ordered_json control = case_schema()["properties"]["static"];
+  const ordered_json control = ordered_json::parse(case_schema())["properties"]["static"];
   CHECK(control["properties"]["displacement_mm"]["not"] == ordered_json{{"const", 0}});
   CHECK_FALSE(control.contains("required"));
   bool asked = false;

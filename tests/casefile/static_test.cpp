@@ -82,9 +82,9 @@ TEST_CASE("the first static force is found behind loads of other kinds") {
 }
 
 TEST_CASE("slip maps are asked for by load, where a force at a point bends a strand") {
-  CHECK(read(pushed_strand + "slip_map_loads_N = [0, 50, 200]\n").analysis.static_.slip_map_loads ==
+  CHECK(read(pushed_strand + "slip_map_loads_N = [0, 50, 200]\n").as<StaticAnalysis>().slip_map_loads ==
         std::vector{0.0, 50.0, 200.0});
-  CHECK(read(pushed_strand).analysis.static_.slip_map_loads.empty());
+  CHECK(read(pushed_strand).as<StaticAnalysis>().slip_map_loads.empty());
   const std::string key = "analysis.slip_map_loads_N=[10]";
   CHECK(contains(refusal(pushed_strand, {"analysis.slip_map_loads_N=[10, -1]"}),
                  "analysis.slip_map_loads_N[1] = -1: must be at least 0; give loads in newtons, at which"));
@@ -96,8 +96,8 @@ TEST_CASE("slip maps are asked for by load, where a force at a point bends a str
 }
 
 TEST_CASE("modes are the lowest, or those nearest to a frequency") {
-  CHECK_FALSE(read(beam).analysis.modes.near_frequency.has_value());
-  CHECK(read(beam + "near_Hz = 24\n").analysis.modes.near_frequency == 24.0);
+  CHECK_FALSE(read(beam).as<ModesAnalysis>().near_frequency.has_value());
+  CHECK(read(beam + "near_Hz = 24\n").as<ModesAnalysis>().near_frequency == 24.0);
   CHECK(contains(refusal(beam + "near_Hz = 0\n"),
                  "case.toml:11:1: analysis.near_Hz = 0: must be above 0; give the frequency whose nearest modes are "
                  "wanted in hertz"));

@@ -19,7 +19,15 @@ expect_same() {
   done
 }
 
-for method in ida generalized-alpha; do
+# IDA keeps its state with some versions of SUNDIALS only; with the others it says so.
+methods="ida generalized-alpha"
+if ! "$program" run "$scratch/case.toml" --set analysis.cycles=1 --set integrator.checkpoint_every_s=1000 --quiet \
+  --out "$scratch/probe" > "$scratch/said" 2>&1 < /dev/null; then
+  methods=generalized-alpha
+  expect_said 'method = "generalized-alpha"'
+fi
+
+for method in $methods; do
   run=("$program" run "$scratch/case.toml" --set analysis.cycles=60 --set "integrator.method=$method"
        --set integrator.checkpoint_every_s=0.05 --quiet)
   expect_code 0 "$method, uninterrupted" "${run[@]}" --out "$scratch/$method-whole"
@@ -43,7 +51,8 @@ for method in ida generalized-alpha; do
 done
 
 # Ctrl-C keeps a checkpoint too, however seldom they are due.
-run=("$program" run "$scratch/case.toml" --set analysis.cycles=200 --set integrator.checkpoint_every_s=1000)
+run=("$program" run "$scratch/case.toml" --set analysis.cycles=200 --set integrator.checkpoint_every_s=1000
+     --set "integrator.method=${methods%% *}")
 "${run[@]}" --out "$scratch/stopped" > "$scratch/said" 2>&1 < /dev/null &
 job=$!
 until [ -d "$scratch/stopped" ]; do sleep 0.02; done

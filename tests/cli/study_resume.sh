@@ -13,7 +13,7 @@ elements = 32
 mass = "consistent"
 [analysis]
 type = "self-damping"
-road = "periodic"
+method = "periodic"
 mode_shape = "clamped"
 modes = [3, 4]
 antinode_amplitude_mm = [1, 2, 3]
@@ -22,12 +22,12 @@ tensions_rts = 0.2
 mode = 4
 antinode_amplitude_mm = 3
 tension_rts = 0.2
-road = "quadrature"
+method = "quadrature"
 [[analysis.at]]
 mode = 4
 antinode_amplitude_mm = 3
 tension_rts = 0.2
-road = "foti-2018"
+method = "foti-2018"
 CASE
 run=("$program" run "$scratch/case.toml" --quiet)
 points() { printf '%s/points.jsonl' "$scratch/$1"; }

@@ -5,7 +5,6 @@
 #include <string>
 
 using strandyn::report::duration;
-using strandyn::report::label_of;
 using strandyn::report::prefix_for;
 using strandyn::report::quantity;
 using strandyn::report::significant;
@@ -49,23 +48,6 @@ TEST_CASE("format: quantities take a prefix where their unit allows one") {
   CHECK(shown(1.2e-3, "W/m") == "1.200 mW/m");
   CHECK(shown(2387.42, "N m²") == "2387 N m²");
   CHECK(shown(0.032618, "1/m") == "0.03262 1/m");
-}
-
-TEST_CASE("format: the unit of a key is taken off, the longest that fits") {
-  const auto check = [](std::string_view key, std::string_view name, std::string_view unit) {
-    const auto label = label_of(key);
-    CHECK(label.name == name);
-    CHECK(label.unit == unit);
-  };
-  check("friction_dissipation_J", "friction dissipation", "J");
-  check("self_damping_W_per_m", "self damping", "W/m");
-  check("EI_min_N_m2", "EI_min", "N m²");
-  check("C_AT_N_m", "C_AT", "N m");
-  check("chi_0_per_m", "chi_0", "1/m");
-  check("k2_per_m", "k2", "1/m");
-  check("antinode_amplitude_m", "antinode amplitude", "m");
-  check("loss_factor", "loss factor", "");
-  check("m", "m", "");
 }
 
 TEST_CASE("format: durations read like a clock") {

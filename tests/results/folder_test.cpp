@@ -8,11 +8,14 @@
 
 #include "results/scratch_folder.hpp"
 #include "strandyn/core/error.hpp"
+#include "strandyn/results/json.hpp"
 
-using nlohmann::ordered_json;
 using strandyn::FileError;
 using strandyn::results::create_folder;
+using strandyn::results::from_text;
 using strandyn::results::read_file;
+using strandyn::results::to_text;
+using strandyn::results::Value;
 using strandyn::results::write_file;
 using strandyn::results::write_json;
 using strandyn::test::message_of;
@@ -97,25 +100,34 @@ TEST_CASE("folder: when the disk is full the old file stays and the half-written
 
 TEST_CASE("folder: json keeps the order of its keys and the bits of its numbers") {
   const ScratchFolder scratch;
-  const ordered_json json = {{"title", "x"}, {"b", 0.1 + 0.2}, {"a", {1, 2.5e-300}}, {"none", nullptr}};
-  write_json(scratch / "a.json", json);
-  CHECK(ordered_json::parse(read_file(scratch / "a.json")).dump() == json.dump());
+  const Value value = Value::object(
+      {{"title", "x"}, {"b", 0.1 + 0.2}, {"a", Value::list({1, 2.5e-300})}, {"large", 1ULL << 63}, {"none", Value()}});
+  write_json(scratch / "a.json", value);
+  const std::string text = read_file(scratch / "a.json");
+  CHECK(text == to_text(value) + "\n");
+  const Value back = from_text(text, "a.json");
+  CHECK(to_text(back) == to_text(value));
+  CHECK(back.members()[1].first == "b");
+  CHECK(back.find("b")->number() == 0.1 + 0.2);
 }
 
 TEST_CASE("folder: json with a number that is not finite is refused with its place in the document") {
   const ScratchFolder scratch;
   const auto path = scratch / "a.json";
-  const auto message = [&](const ordered_json& json) { return message_of<FileError>([&] { write_json(path, json); }); };
-  ordered_json summary = {{"title", "x"}, {"cycles", ordered_json::array({{{"kinetic_J", 1.0}}})}};
-  summary["cycles"].push_back({{"t_s", 1.0}, {"kinetic_J", std::nan("")}});
+  const auto message = [&](const Value& value) { return message_of<FileError>([&] { write_json(path, value); }); };
+  const Value summary =
+      Value::object({{"title", "x"},
+                     {"cycles", Value::list({Value::object({{"kinetic_J", 1.0}}),
+                                             Value::object({{"t_s", 1.0}, {"kinetic_J", std::nan("")}})})}});
   CHECK(message(summary) == "refused to write " + path.string() + ": cycles[1].kinetic_J is not a finite number");
-  CHECK(message({{"a", {{"b", -HUGE_VAL}}}}) == "refused to write " + path.string() + ": a.b is not a finite number");
+  CHECK(message(Value::object({{"a", Value::object({{"b", -HUGE_VAL}})}})) ==
+        "refused to write " + path.string() + ": a.b is not a finite number");
   CHECK(message(HUGE_VAL) == "refused to write " + path.string() + ": the document is not a finite number");
   CHECK(scratch.entries() == 0);
 }
 
 TEST_CASE("folder: json with bytes that are no text is still written") {
   const ScratchFolder scratch;
-  write_json(scratch / "a.json", {{"title", "bad \xFF byte"}});
-  CHECK(ordered_json::parse(read_file(scratch / "a.json"))["title"] == "bad \xEF\xBF\xBD byte");
+  write_json(scratch / "a.json", Value::object({{"title", "bad \xFF byte"}}));
+  CHECK(*from_text(read_file(scratch / "a.json"), "").find("title")->words() == "bad \xEF\xBF\xBD byte");
 }

@@ -17,6 +17,8 @@
 using strandyn::FileError;
 using strandyn::InputError;
 using strandyn::results::compare;
+using strandyn::results::evenly_spaced;
+using strandyn::results::groups_of;
 using strandyn::results::read_csv;
 using strandyn::results::Table;
 using strandyn::results::write_csv;
@@ -165,4 +167,29 @@ TEST_CASE("table: comparison never takes a NaN for equal") {
   Table table({"a_m"});
   table.append(std::vector{std::nan("")});
   CHECK(compare(table, table, {.all = {.absolute = 1e300}}).has_value());
+}
+
+TEST_CASE("table: of many rows the first, the last and evenly spaced ones are chosen") {
+  CHECK(evenly_spaced(3, 20) == std::vector<std::size_t>{0, 1, 2});
+  CHECK(evenly_spaced(100, 1) == std::vector<std::size_t>{99});
+  CHECK(evenly_spaced(0, 20).empty());
+  const auto chosen = evenly_spaced(1000, 20);
+  REQUIRE(chosen.size() == 20);
+  CHECK(chosen.front() == 0);
+  CHECK(chosen.back() == 999);
+  for (std::size_t i = 1; i < chosen.size(); ++i) {
+    CHECK(chosen[i] - chosen[i - 1] >= 52);  // 999/19 = 52.6
+    CHECK(chosen[i] - chosen[i - 1] <= 53);
+  }
+}
+
+TEST_CASE("table: rows fall into groups by their values, in ascending order, and keep their own order") {
+  Table table({"a", "b"});
+  for (const auto& row : {std::vector{2.0, 1.0}, {1.0, 5.0}, {2.0, 0.0}, {1.0, 5.0}}) table.append(row);
+  const auto groups = groups_of(table, {"a"}, {0, 1, 2, 3});
+  REQUIRE(groups.size() == 2);
+  CHECK(groups.at({1}) == std::vector<std::size_t>{1, 3});
+  CHECK(groups.at({2}) == std::vector<std::size_t>{0, 2});
+  CHECK(groups_of(table, {"a", "b"}, {0, 1, 2}).begin()->first == std::vector{1.0, 5.0});
+  CHECK(groups_of(table, {}, {0, 1}).size() == 1);
 }

@@ -33,7 +33,7 @@ class OneSpatialPoint {
 
   OneSpatialPoint(const section::Law& law, SpatialStrain start) : law_(law), history_(law.start(field(start))) {}
 
-  const section::History& history() const { return history_; }
+  section::WireState wires() const { return law_.wires(history_, {}, 0); }
 
   Answer respond(SpatialStrain to) const {
     using section::Component;

@@ -48,9 +48,9 @@ class PlainCompliant {
       before += own;
       chains_.emplace_back(strand.layers.size());
       for (std::size_t j = 1; j < strand.layers.size(); ++j) {
-        const auto curve = faces_[j].line ? section::SlipCurve::line(faces_[j].along.slip_logarithm(usual[j].f_int))
-                                          : section::SlipCurve::spot();
-        chains_.back()[j] = section::spring_chain(
+        const auto curve = faces_[j].line ? conductor::SlipCurve::line(faces_[j].along.slip_logarithm(usual[j].f_int))
+                                          : conductor::SlipCurve::spot();
+        chains_.back()[j] = conductor::spring_chain(
             curve, {.springs = options.springs, .smallest_slip = options.smallest_slip, .phase = phase});
       }
     }
@@ -99,7 +99,7 @@ class PlainCompliant {
           const auto springs = [&](auto&& each) {
             const std::size_t n = f.size() / 2;
             for (std::size_t s = 0; s < (outermost ? n : 2 * n); ++s) {
-              const section::SpringChain& chain = chains_[static_cast<std::size_t>(i)][s < n ? j : j + 1];
+              const conductor::SpringChain& chain = chains_[static_cast<std::size_t>(i)][s < n ? j : j + 1];
               each(s, s < n, chain.stiffness[s % n], chain.limit[s % n]);
             }
           };
@@ -178,7 +178,8 @@ class PlainCompliant {
   int cells_;
   std::vector<conductor::Interface> faces_;
   conductor::SectionConstants constants_;
-  std::vector<std::vector<section::SpringChain>> chains_;  ///< [angle][layer]: contact of the layer with the one inside
+  std::vector<std::vector<conductor::SpringChain>>
+      chains_;  ///< [angle][layer]: contact of the layer with the one inside
   double chi_ = 0;
   double peak_ = 0;
   std::vector<std::vector<double>> f_;  ///< per layer, side, angle: springs inside, springs outside

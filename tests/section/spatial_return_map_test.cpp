@@ -8,7 +8,6 @@
 #include "section/one_spatial_point.hpp"
 #include "section/plain_spatial_return_map.hpp"
 #include "section/random_paths.hpp"
-#include "strandyn/section/wire_state.hpp"
 #include "support/check_close.hpp"
 
 using strandyn::conductor::Layer;
@@ -311,7 +310,7 @@ TEST_CASE("spatial return map: the bending part of the axial resultants has a ta
     }
     const auto loss = point.commit(to);
     reference.commit(to);
-    const auto wires = wire_state(law, point.history(), 0);
+    const auto wires = point.wires();
     const auto c = section_constants(strand);
     check_close(got.N, c.EA * to.eps + c.C_AT * to.chi1 + wires.N_bending, {.relative = 1e-12});
     check_close(got.M1, c.C_AT * to.eps + c.GJ * to.chi1 + wires.M1_bending, {.absolute = 1e-12 * 30});

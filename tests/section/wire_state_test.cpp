@@ -1,5 +1,3 @@
-#include "strandyn/section/wire_state.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include "section/plain_spatial_return_map.hpp"
 #include "strandyn/conductor/constants.hpp"
 #include "strandyn/conductor/contact.hpp"
+#include "strandyn/section/spatial_return_map.hpp"
 #include "support/check_close.hpp"
 
 using strandyn::conductor::section_constants;
@@ -18,7 +17,6 @@ using strandyn::section::Field;
 using strandyn::section::PlanarReturnMap;
 using strandyn::section::SpatialReturnMap;
 using strandyn::section::StepEnergy;
-using strandyn::section::wire_state;
 using strandyn::section::WireState;
 using namespace strandyn::test;
 
@@ -40,7 +38,7 @@ TEST_CASE(
   const SpatialReturnMap law(strand, {.points = 36});
   const double chi1 = 0.01;
   const OneSpatialPoint point(law, {.eps = eps, .chi1 = chi1});
-  const WireState state = wire_state(law, point.history(), 0);
+  const WireState state = point.wires();
   const auto force = strandyn::conductor::axial_wire_forces(strand, eps, chi1);
   const auto contact = strandyn::conductor::contact_forces(strand, force);
   REQUIRE(state.layers.size() == 4);
@@ -72,7 +70,7 @@ TEST_CASE("wire state: forces of a bent strand are those of the plain implementa
       expected = plain.step({to.eps, to.chi1, to.chi2, to.chi3});
       point.commit(to);
     }
-    const WireState state = wire_state(law, point.history(), 0);
+    const WireState state = point.wires();
     const auto axial = strandyn::conductor::axial_wire_forces(strand, to.eps, to.chi1);
     const auto got = point.respond(to);
     double M2 = c.EI_min * to.chi2;
@@ -101,7 +99,7 @@ TEST_CASE("wire state: slip begins in the layer and at the angle of the least li
   std::size_t before = 0;
   for (int s = 1; s <= 30; ++s) {
     point.commit({.eps = eps, .chi3 = 0.002 * s});
-    const WireState state = wire_state(law, point.history(), 0);
+    const WireState state = point.wires();
     const std::size_t now = slipping(state);
     CHECK(now >= before);
     if (before == 0 && now > 0) {
@@ -116,7 +114,7 @@ TEST_CASE("wire state: slip begins in the layer and at the angle of the least li
   }
   CHECK(before > 0);
   point.commit({.eps = eps, .chi3 = 1000});
-  CHECK(slipping(wire_state(law, point.history(), 0)) == 4 * 36);
+  CHECK(slipping(point.wires()) == 4 * 36);
 }
 
 TEST_CASE("wire state: of the planar law and of the spatial law bent in the same plane are the same") {
@@ -133,8 +131,8 @@ TEST_CASE("wire state: of the planar law and of the spatial law bent in the same
     StepEnergy ignored(3);
     planar.commit(history, to, ignored);
     point.commit({.eps = eps, .chi2 = chi});
-    const WireState a = wire_state(planar, history, 2, eps);
-    const WireState b = wire_state(spatial, point.history(), 0);
+    const WireState a = planar.wires(history, to, 2);
+    const WireState b = point.wires();
     for (std::size_t j = 0; j < 4; ++j) {
       check_close(a.layers[j].f_int, b.layers[j].f_int, {.relative = 1e-12});
       for (std::size_t i = 0; i < 36; ++i) {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes.hpp"
-#include "strandyn/study/run_case.hpp"
+#include "study/scenes.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using nlohmann::ordered_json;
@@ -26,7 +26,7 @@ ordered_json decay(const char* method, const char* law, double amplitude_mm, int
       "[analysis]\ntype = \"decay\"\nmode = 4\ncycles = {}\nantinode_amplitude_mm = {}\n"
       "[integrator]\nmethod = \"{}\"\nstep = \"auto\"\n",
       cycles, amplitude_mm, method);
-  return study::run_case(span_scene(text, {fmt::format("section.law=\"{}\"", law)})).summary;
+  return test::run(span_scene(text, {fmt::format("section.law=\"{}\"", law)})).summary;
 }
 
 /// An elastic beam across its line, in its first mode for 500 cycles: linear but for the tension of its swing.
@@ -77,7 +77,7 @@ TEST_CASE("IDA and generalized alpha agree in the friction of each cycle and the
 }
 
 TEST_CASE("what IDA takes from a linear span in 500 cycles is what the plan said before it began") {
-  const ordered_json s = study::run_case(long_run("[integrator]\nstep_s = 0.004877\n")).summary;
+  const ordered_json s = test::run(long_run("[integrator]\nstep_s = 0.004877\n")).summary;
   const double zeta = s["plan"]["predicted_numerical_damping_ratio"];
   const double cycles = s["plan"]["frequency_Hz"].get<double>() * s["end_time_s"].get<double>();
   check_close(cycles, 500, {.relative = 0.01});
@@ -90,8 +90,7 @@ TEST_CASE("what IDA takes from a linear span in 500 cycles is what the plan said
 
 TEST_CASE("generalized alpha at rho one keeps the energy of a linear span over 500 cycles") {
   const ordered_json s =
-      study::run_case(long_run("[integrator]\nmethod = \"generalized-alpha\"\nrho_inf = 1\nstep_s = 0.024385\n"))
-          .summary;
+      test::run(long_run("[integrator]\nmethod = \"generalized-alpha\"\nrho_inf = 1\nstep_s = 0.024385\n")).summary;
   CHECK(s["plan"]["predicted_numerical_damping_ratio"] == 0.0);
   // Of ten thousand cycles, 1e-6 is asked; what the swing's own tension does is of the order of 2e-7 and does not grow.
   CHECK(std::abs(s["energy"]["numerical_dissipation_J"].get<double>()) <
@@ -104,11 +103,11 @@ TEST_CASE("the steps that a broken bound of the numerical share names hold it") 
       CAPTURE(method);
       CAPTURE(bound);
       const auto shaken = [&](int steps) {
-        return study::run_case(span_scene(shaker, {fmt::format("integrator.method={}", method),
-                                                   fmt::format("integrator.max_numerical_share={}", bound),
-                                                   fmt::format("integrator.steps_per_cycle={}", steps)}));
+        return test::run(span_scene(shaker, {fmt::format("integrator.method={}", method),
+                                             fmt::format("integrator.max_numerical_share={}", bound),
+                                             fmt::format("integrator.steps_per_cycle={}", steps)}));
       };
-      const study::CaseResult coarse = shaken(24);
+      const test::Run coarse = shaken(24);
       REQUIRE(coarse.exit_code == ExitCode::not_converged);
       const std::string key = "steps_per_cycle = ";
       const auto at = coarse.message.find(key);
@@ -130,12 +129,12 @@ TEST_CASE("a run says what its integrator will take before it takes a step") {
                                  said = words;
                                  CHECK_FALSE(begun);
                                }};
-  study::run_case(span_scene(shaker), hooks);
+  test::run(span_scene(shaker), hooks);
   CHECK(said.find("200 steps per cycle: the integrator's own damping ratio will be 7.75e-06") != std::string::npos);
   begun = false;
-  study::run_case(span_scene(shaker, {"integrator.step=auto"}), hooks);
+  test::run(span_scene(shaker, {"integrator.step=auto"}), hooks);
   CHECK(said.find("chosen for a numerical share of 0.5 %") != std::string::npos);
   begun = false;
-  study::run_case(span_scene(shaker, {"integrator.step=adaptive"}), hooks);
+  test::run(span_scene(shaker, {"integrator.step=adaptive"}), hooks);
   CHECK(said.find("their damping shows in the ledger only") != std::string::npos);
 }

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "results/scratch_folder.hpp"
-#include "scenes.hpp"
 #include "strandyn/conductor/constants.hpp"
-#include "strandyn/study/run_case.hpp"
+#include "study/scenes.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using test::check_close;
@@ -16,8 +16,8 @@ using test::section_scene;
 
 namespace {
 
-const results::Table& table(const study::CaseResult& result, const std::string& file) {
-  for (const study::NamedTable& t : result.tables) {
+const results::Table& table(const test::Run& result, const std::string& file) {
+  for (const results::NamedTable& t : result.tables) {
     if (t.file == file) return t.table;
   }
   FAIL("no table ", file);
@@ -38,7 +38,7 @@ double area_of_history(const results::Table& history, int steps_per_cycle) {
 }  // namespace
 
 TEST_CASE("the area of a loop is the work of the written moments around it") {
-  const auto result = study::run_case(section_scene("curvature_amplitudes_per_m = [0.05]\nsteps_per_cycle = 200\n"));
+  const auto result = test::run(section_scene("curvature_amplitudes_per_m = [0.05]\nsteps_per_cycle = 200\n"));
   const double area = result.summary["loops"][0]["area_J_per_m"];
   CHECK(area > 1);
   // Rounding of a sum of 200 products.
@@ -47,11 +47,11 @@ TEST_CASE("the area of a loop is the work of the written moments around it") {
 
 TEST_CASE("a planar path from a file does what the cycles do") {
   const test::ScratchFolder folder;
-  const auto cycles = study::run_case(section_scene("curvature_amplitudes_per_m = [0.05]\nsteps_per_cycle = 200\n"));
+  const auto cycles = test::run(section_scene("curvature_amplitudes_per_m = [0.05]\nsteps_per_cycle = 200\n"));
   results::Table path({"curvature_2_per_m"});
   for (double chi : table(cycles, "loop.csv").column("curvature_per_m")) path.append(std::array{chi});
   results::write_csv(folder.path() / "path.csv", path);
-  const auto result = study::run_case(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n"));
+  const auto result = test::run(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n"));
   const auto& expected = table(cycles, "loop.csv").column("moment_N_m");
   const auto& got = table(result, "path.csv").column("M2_N_m");
   REQUIRE(got.size() == expected.size());
@@ -65,7 +65,7 @@ TEST_CASE("bending about axis 3 from a file gives the moments of bending about a
     results::Table path({axis == 2 ? "curvature_2_per_m" : "curvature_3_per_m", "torsion_per_m"});
     for (int i = 0; i <= 100; ++i) path.append(std::array{0.05 * std::sin(0.1 * i), 0.0});
     results::write_csv(folder.path() / "path.csv", path);
-    const auto result = study::run_case(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n"));
+    const auto result = test::run(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n"));
     results[axis - 2] = table(result, "path.csv").column(axis == 2 ? "M2_N_m" : "M3_N_m");
   }
   // A quarter turn is a grid direction: the same to rounding of moments of some 60 N m.
@@ -81,7 +81,7 @@ TEST_CASE("a tension that varies along the path moves the slip limits with it") 
     for (int i = 0; i <= 50; ++i) path.append(std::array{24420.0, 0.006 * i / 50});
     for (int i = 0; i <= 50; ++i) path.append(std::array{24420.0 * (1 - 0.75 * varies * i / 50), 0.006});
     results::write_csv(folder.path() / "path.csv", path);
-    const auto result = study::run_case(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n"));
+    const auto result = test::run(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n"));
     lost[varies] = result.summary["path"]["dissipated_J_per_m"];
   }
   CHECK(lost[0] == 0);
@@ -91,27 +91,25 @@ TEST_CASE("a tension that varies along the path moves the slip limits with it") 
 TEST_CASE("a path with an unknown column is refused with the columns there are") {
   const test::ScratchFolder folder;
   std::ofstream(folder.path() / "path.csv") << "curvature\n0.1\n";
-  CHECK_THROWS_WITH_AS(study::run_case(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n")),
+  CHECK_THROWS_WITH_AS(test::run(section_scene("path = \"" + (folder.path() / "path.csv").string() + "\"\n")),
                        doctest::Contains("curvature_2_per_m"), InputError);
 }
 
 TEST_CASE("free to twist the section twists and the limits of the layers change") {
   const std::string analysis = "curvature_amplitudes_per_m = [0.05]\nsteps_per_cycle = 200\n";
-  const double held = study::run_case(section_scene(analysis)).summary["loops"][0]["area_J_per_m"];
-  const double loose =
-      study::run_case(section_scene(analysis + "twist = \"free\"\n")).summary["loops"][0]["area_J_per_m"];
+  const double held = test::run(section_scene(analysis)).summary["loops"][0]["area_J_per_m"];
+  const double loose = test::run(section_scene(analysis + "twist = \"free\"\n")).summary["loops"][0]["area_J_per_m"];
   CHECK(std::abs(loose - held) > 1e-3 * held);
 }
 
 TEST_CASE("loops by friction and with and without residual forces are those of the single cases") {
   const std::string analysis = "curvature_amplitudes_per_m = [0.04]\nsteps_per_cycle = 200\n";
-  const auto both =
-      study::run_case(section_scene(analysis + "frictions = [0.5]\ncompare_residual_forces = true\n")).summary;
+  const auto both = test::run(section_scene(analysis + "frictions = [0.5]\ncompare_residual_forces = true\n")).summary;
   REQUIRE(both["loops"].size() == 2);
   const std::vector<std::string> half = {"conductor.friction=0.5"};
-  const double with = study::run_case(section_scene(analysis, half)).summary["loops"][0]["area_J_per_m"];
+  const double with = test::run(section_scene(analysis, half)).summary["loops"][0]["area_J_per_m"];
   const double without =
-      study::run_case(section_scene(analysis, {"conductor.friction=0.5", "conductor.residual_forces=false"}))
+      test::run(section_scene(analysis, {"conductor.friction=0.5", "conductor.residual_forces=false"}))
           .summary["loops"][0]["area_J_per_m"];
   check_close(both["loops"][0]["area_J_per_m"], with, {.relative = 1e-14});
   check_close(both["loops"][1]["area_J_per_m"], without, {.relative = 1e-14});
@@ -119,7 +117,7 @@ TEST_CASE("loops by friction and with and without residual forces are those of t
 }
 
 TEST_CASE("wires stick at small curvature and their bending force is that of a plane section") {
-  const auto result = study::run_case(section_scene("curvature_amplitudes_per_m = [0.05]\nwires_at_per_m = [0.001]\n"));
+  const auto result = test::run(section_scene("curvature_amplitudes_per_m = [0.05]\nwires_at_per_m = [0.001]\n"));
   const auto& wires = table(result, "wires.csv");
   const casefile::Scene scene = section_scene("curvature_amplitudes_per_m = [0.05]\n");
   const conductor::Strand& strand = scene.conductor->strand;

@@ -5,8 +5,8 @@
 
 #include "results/scratch_folder.hpp"
 #include "strandyn/casefile/read.hpp"
-#include "strandyn/study/run_case.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using nlohmann::ordered_json;
@@ -20,10 +20,10 @@ std::string span_and(const std::string& rest, const std::string& law = "return-m
          "\"\n[span]\nlength_m = 6\nelements = 32\nmass = \"consistent\"\n" + rest;
 }
 
-const std::string study_of = "[analysis]\ntype = \"self-damping\"\nroad = \"periodic\"\nmode_shape = \"clamped\"\n";
+const std::string study_of = "[analysis]\ntype = \"self-damping\"\nmethod = \"periodic\"\nmode_shape = \"clamped\"\n";
 
 ordered_json summary_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return study::run_case(casefile::read_scene_text(text, "test.toml", overrides)).summary;
+  return test::run(casefile::read_scene_text(text, "test.toml", overrides)).summary;
 }
 
 /// Off by no more than its own size times this.
@@ -37,16 +37,16 @@ TEST_CASE("the free span of a periodic vibration loses what the quadrature over 
   const ordered_json s =
       summary_of(span_and(study_of + "modes = 4\nantinode_amplitude_mm = 1\ntensions_rts = 0.2\n"
                                      "[[analysis.at]]\nmode = 4\nantinode_amplitude_mm = 1\ntension_rts = 0.2\n"
-                                     "road = \"quadrature\"\n",
+                                     "method = \"quadrature\"\n",
                           "compliant"));
-  REQUIRE(s["roads"].size() == 1);
-  const ordered_json& road = s["roads"][0];
-  CHECK(road["reference"] == "periodic");
-  check_close(road["free_span_ratio"], 1.0, {.absolute = 0.05});  // the issue's band
+  REQUIRE(s["comparisons"].size() == 1);
+  const ordered_json& comparison = s["comparisons"][0];
+  CHECK(comparison["reference"] == "periodic");
+  check_close(comparison["free_span_ratio"], 1.0, {.absolute = 0.05});  // the issue's band
   // The parts are factors of the ratio.
   double product = 1;
-  for (const auto& part : road["parts"]) product *= part.get<double>();
-  check_close(product, road["free_span_ratio"], {.relative = 1e-12});
+  for (const auto& part : comparison["parts"]) product *= part.get<double>();
+  check_close(product, comparison["free_span_ratio"], {.relative = 1e-12});
 }
 
 TEST_CASE("the antinode reaches the amplitude that was asked for and the drive gives what is lost") {
@@ -122,12 +122,12 @@ TEST_CASE("a sweep goes through the resonance of the same amplitude that asks fo
 
 TEST_CASE("a sweep that is stopped keeps its points") {
   int asked = 0;
-  const study::CaseResult result = study::run_case(
-      casefile::read_scene_text(
-          span_and("tension_rts = 0.2\n[[load]]\ntype = \"harmonic-force\"\nat_m = 0.4\namplitude_N = 2\n"
-                   "frequency = \"mode 4\"\n[analysis]\ntype = \"sweep\"\n"),
-          "test.toml"),
-      {.stop = [&] { return ++asked > 3; }, .progress = {}});
+  const test::Run result =
+      test::run(casefile::read_scene_text(
+                    span_and("tension_rts = 0.2\n[[load]]\ntype = \"harmonic-force\"\nat_m = 0.4\namplitude_N = 2\n"
+                             "frequency = \"mode 4\"\n[analysis]\ntype = \"sweep\"\n"),
+                    "test.toml"),
+                {.stop = [&] { return ++asked > 3; }, .progress = {}});
   CHECK(result.exit_code == ExitCode::interrupted);
   CHECK(result.summary["sweep"].size() == 4);
   CHECK_FALSE(result.summary.contains("backbone"));

@@ -7,8 +7,8 @@
 
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/core/error.hpp"
-#include "strandyn/study/run_case.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using nlohmann::ordered_json;
@@ -25,14 +25,14 @@ casefile::Scene linear_bench(const std::string& tables, const std::vector<std::s
       "[section]\nlaw = \"elastic\"\nEA_N = 47e6\nEI_N_m2 = 100\nmass_kg_per_m = 1.976\n"
       "[span]\nlength_m = 15\nelements = 40\nleft = \"pinned\"\nright = \"pinned\"\ngrading = \"uniform\"\n"
       "mass = \"consistent\"\n[integrator]\nsteps_per_cycle = 100\n"
-      "[analysis]\ntype = \"self-damping\"\nroad = \"transient\"\nmodes = 5\nantinode_amplitude_mm = 1\n"
+      "[analysis]\ntype = \"self-damping\"\nmethod = \"transient\"\nmodes = 5\nantinode_amplitude_mm = 1\n"
       "tensions_kN = 30\n" +
           tables,
       "test.toml", overrides);
 }
 
 ordered_json only_point(const casefile::Scene& scene) {
-  const ordered_json points = study::run_case(scene).summary["points"];
+  const ordered_json points = test::run(scene).summary["points"];
   REQUIRE(points.size() == 1);
   return points[0];
 }
@@ -116,11 +116,10 @@ TEST_CASE("test bench: one that does not become steady says so in words") {
 
 TEST_CASE("test bench: what has no shaker of one frequency is refused") {
   const std::string force = "[[load]]\ntype = \"harmonic-force\"\nat_m = 1\namplitude_N = 1\nfrequency_Hz = 20\n";
-  CHECK_THROWS_WITH_AS(study::run_case(linear_bench(force + force)), doctest::Contains("is a second shaker"),
-                       InputError);
-  CHECK_THROWS_WITH_AS(study::run_case(linear_bench("[[load]]\ntype = \"harmonic-force\"\nper_length = true\n"
-                                                    "amplitude_N = 1\nfrequency_Hz = 20\n")),
+  CHECK_THROWS_WITH_AS(test::run(linear_bench(force + force)), doctest::Contains("is a second shaker"), InputError);
+  CHECK_THROWS_WITH_AS(test::run(linear_bench("[[load]]\ntype = \"harmonic-force\"\nper_length = true\n"
+                                              "amplitude_N = 1\nfrequency_Hz = 20\n")),
                        doctest::Contains("acts on the whole span"), InputError);
-  CHECK_THROWS_WITH_AS(study::run_case(linear_bench("", {"integrator.method=ida", "integrator.step=adaptive"})),
+  CHECK_THROWS_WITH_AS(test::run(linear_bench("", {"integrator.method=ida", "integrator.step=adaptive"})),
                        doctest::Contains("counts its cycles in whole steps"), InputError);
 }

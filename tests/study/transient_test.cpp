@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes.hpp"
-#include "strandyn/study/run_case.hpp"
+#include "study/scenes.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using test::check_close;
@@ -41,7 +41,7 @@ casefile::Scene taut_span(const std::string& more, const std::vector<std::string
 }  // namespace
 
 TEST_CASE("a free bar keeps the momentum that the force has given it") {
-  const auto s = study::run_case(free_bar(duration)).summary;
+  const auto s = test::run(free_bar(duration)).summary;
   const double impulse = 0.5 * 0.1 * 30;
   check_close(s["momentum"]["impulse_N_s"][1], impulse, {.relative = 1e-12});
   // The formula of second order starts with steps of order 1, which miss a rising force by h/2 of its change in each:
@@ -53,7 +53,7 @@ TEST_CASE("a free bar keeps the momentum that the force has given it") {
 }
 
 TEST_CASE("a push leaves at least the energy of its momentum and the integrator takes little of it") {
-  const auto s = study::run_case(free_bar(duration)).summary;
+  const auto s = test::run(free_bar(duration)).summary;
   const auto& e = s["energy"];
   const double momentum = s["momentum"]["linear_kg_m_per_s"][1];
   const double of_momentum = momentum * momentum / (2 * 8);
@@ -67,14 +67,14 @@ TEST_CASE("a push leaves at least the energy of its momentum and the integrator 
 
 TEST_CASE("momentum of a held span comes from its supports and goes into the drag") {
   const auto m =
-      study::run_case(taut_span("[damping]\ndrag_N_s_per_m2 = 3\n", {"initial.velocity_mode=1"})).summary["momentum"];
+      test::run(taut_span("[damping]\ndrag_N_s_per_m2 = 3\n", {"initial.velocity_mode=1"})).summary["momentum"];
   // Two thirds of 10 kg at 0.01 m/s to begin with, nothing but supports and drag to change it.
   CHECK(std::abs(m["impulse_N_s"][1].get<double>()) > 0.01);
   CHECK(m["largest_deviation_N_s"].get<double>() < 1e-4);
 }
 
 TEST_CASE("a probe tells the frequency of its motion") {
-  const auto s = study::run_case(taut_span("")).summary;
+  const auto s = test::run(taut_span("")).summary;
   REQUIRE(s["probes"].size() == 2);
   // Clamped: the string's n = 2 raised by 1 + 2/xi + (4 + n^2 pi^2/2)/xi^2, xi = L sqrt(T/EI) = 200; the integrator
   // lowers it by (omega h)^2/3 = 3e-4.
@@ -90,7 +90,7 @@ TEST_CASE("a probe tells the frequency of its motion") {
 }
 
 TEST_CASE("a transient without probes watches the loaded point and the right end") {
-  const auto result = study::run_case(free_bar(duration));
+  const auto result = test::run(free_bar(duration));
   const auto& probes = result.summary["probes"];
   REQUIRE(probes.size() == 2);
   check_close(probes[0]["arc_m"], 2, {.relative = 1e-12});
@@ -104,7 +104,7 @@ TEST_CASE("a transient without probes watches the loaded point and the right end
 
 TEST_CASE("a transient stops when asked and keeps its histories") {
   int calls = 0;
-  const auto result = study::run_case(free_bar(duration), {.stop = [&] { return ++calls >= 40; }, .progress = {}});
+  const auto result = test::run(free_bar(duration), {.stop = [&] { return ++calls >= 40; }, .progress = {}});
   CHECK(result.exit_code == ExitCode::interrupted);
   CHECK(result.tables[0].table.rows() == 41);
   CHECK(result.summary["end_time_s"].get<double>() < 0.1);

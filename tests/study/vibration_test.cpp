@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes.hpp"
-#include "strandyn/study/run_case.hpp"
+#include "study/scenes.hpp"
 #include "support/check_close.hpp"
+#include "support/run.hpp"
 
 using namespace strandyn;
 using test::check_close;
@@ -21,7 +21,7 @@ const std::string decay = "[analysis]\ntype = \"decay\"\nmode = 4\nantinode_ampl
 }  // namespace
 
 TEST_CASE("the ledger of a forced run closes cycle by cycle") {
-  const auto s = study::run_case(span_scene(shaker)).summary;
+  const auto s = test::run(span_scene(shaker)).summary;
   double kinetic = 0;
   double elastic = 0;
   for (const auto& c : s["cycles"]) {
@@ -37,7 +37,7 @@ TEST_CASE("the ledger of a forced run closes cycle by cycle") {
 }
 
 TEST_CASE("the nodal road to elastic energy and friction agrees with the sections' own") {
-  const auto s = study::run_case(span_scene(shaker, {"analysis.cycles=60"})).summary;
+  const auto s = test::run(span_scene(shaker, {"analysis.cycles=60"})).summary;
   double nodal = 0;
   double sections = s["cycles"].back()["elastic_J"];
   for (const auto& c : s["cycles"]) {
@@ -50,8 +50,7 @@ TEST_CASE("the nodal road to elastic energy and friction agrees with the section
 }
 
 TEST_CASE("drag is booked as viscous dissipation and nothing else") {
-  const auto s =
-      study::run_case(span_scene(decay, {"section.law=stick", "damping.drag_N_s_per_m2=2"})).summary["steady"];
+  const auto s = test::run(span_scene(decay, {"section.law=stick", "damping.drag_N_s_per_m2=2"})).summary["steady"];
   CHECK(s["friction_dissipation_J"] == 0.0);
   // zeta = c/(2 m omega) of a uniform drag. Its energy is taken as that of a sine of the antinode amplitude; a clamped
   // span flat at its ends has less, 4 % at small swing with 160 elements.
@@ -60,8 +59,7 @@ TEST_CASE("drag is booked as viscous dissipation and nothing else") {
 }
 
 TEST_CASE("a decay starts at the amplitude that was asked for") {
-  const auto s =
-      study::run_case(span_scene(decay, {"section.law=stick", "analysis.antinode_amplitude_mm=0.5"})).summary;
+  const auto s = test::run(span_scene(decay, {"section.law=stick", "analysis.antinode_amplitude_mm=0.5"})).summary;
   // It is set by a velocity; the stretch of the span takes some of it, with the square of the amplitude (2.6 % at 5
   // mm).
   check_close(s["cycles"][0]["antinode_amplitude_m"], 5e-4, {.relative = 2e-3});
@@ -69,7 +67,7 @@ TEST_CASE("a decay starts at the amplitude that was asked for") {
 
 TEST_CASE("an interrupted run keeps its whole cycles") {
   int calls = 0;
-  const auto result = study::run_case(span_scene(shaker), {.stop = [&] { return ++calls > 2500; }, .progress = {}});
+  const auto result = test::run(span_scene(shaker), {.stop = [&] { return ++calls > 2500; }, .progress = {}});
   CHECK(result.exit_code == ExitCode::interrupted);
   CHECK(result.summary["status"] == "interrupted");
   // 2500 steps of 200 per cycle; the start takes nine for its first.
@@ -78,16 +76,16 @@ TEST_CASE("an interrupted run keeps its whole cycles") {
 
 TEST_CASE("a bound on the numerical share that breaks says which step would hold it") {
   const auto result =
-      study::run_case(span_scene(shaker, {"integrator.max_numerical_share=1e-6", "integrator.steps_per_cycle=50"}));
+      test::run(span_scene(shaker, {"integrator.max_numerical_share=1e-6", "integrator.steps_per_cycle=50"}));
   CHECK(result.exit_code == ExitCode::not_converged);
   CHECK(result.message.find("steps_per_cycle = ") != std::string::npos);
 }
 
 TEST_CASE("a run until steady ends when input and loss agree") {
   const auto result =
-      study::run_case(span_scene("[[load]]\ntype = \"harmonic-force\"\nat_m = 0.5\namplitude_N = 40\n"
-                                 "frequency = \"mode 4\"\n[analysis]\ntype = \"forced\"\nuntil = \"steady\"\n",
-                                 {"integrator.steps_per_cycle=100", "damping.drag_N_s_per_m2=3"}));
+      test::run(span_scene("[[load]]\ntype = \"harmonic-force\"\nat_m = 0.5\namplitude_N = 40\n"
+                           "frequency = \"mode 4\"\n[analysis]\ntype = \"forced\"\nuntil = \"steady\"\n",
+                           {"integrator.steps_per_cycle=100", "damping.drag_N_s_per_m2=3"}));
   CHECK(result.exit_code == ExitCode::done);
   const auto& s = result.summary["steady"];
   const double lost = s["friction_dissipation_J"].get<double>() + s["viscous_dissipation_J"].get<double>() +
@@ -96,8 +94,8 @@ TEST_CASE("a run until steady ends when input and loss agree") {
 }
 
 TEST_CASE("a static force bends the span along itself and unloads on the way it came while all sticks") {
-  const auto s = study::run_case(span_scene("[[load]]\ntype = \"static-force\"\nat_m = 5\nforce_N = -20\n"
-                                            "[analysis]\ntype = \"static\"\nsteps = 4\n"))
+  const auto s = test::run(span_scene("[[load]]\ntype = \"static-force\"\nat_m = 5\nforce_N = -20\n"
+                                      "[analysis]\ntype = \"static\"\nsteps = 4\n"))
                      .summary["steps"];
   REQUIRE(s.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -110,7 +108,7 @@ TEST_CASE("a static force bends the span along itself and unloads on the way it 
 }
 
 TEST_CASE("the natural frequencies come in rising order, near those of the taut string") {
-  const auto f = study::run_case(span_scene("[analysis]\ntype = \"modes\"\ncount = 5\n")).summary["frequencies_Hz"];
+  const auto f = test::run(span_scene("[analysis]\ntype = \"modes\"\ncount = 5\n")).summary["frequencies_Hz"];
   REQUIRE(f.size() == 5);
   for (std::size_t i = 0; i < 5; ++i) {
     const double string = static_cast<double>(i + 1) * std::sqrt(24420 / 1.981) / 20;
@@ -129,6 +127,6 @@ TEST_CASE("what contradicts itself is refused at its key") {
   for (const std::vector<std::string>& asked : pairs) {
     CAPTURE(asked.front());
     const std::string key = asked.front().substr(0, asked.front().find('='));
-    CHECK_THROWS_WITH_AS(study::run_case(span_scene(shaker, asked)), doctest::Contains(key.c_str()), InputError);
+    CHECK_THROWS_WITH_AS(test::run(span_scene(shaker, asked)), doctest::Contains(key.c_str()), InputError);
   }
 }

@@ -4,14 +4,35 @@
 source "$(dirname "$0")/support.sh"
 
 mkdir "$tree/tools"
-cp "$tools"/run "$tools"/test "$tools"/*.sh "$tree/tools"
+cp "$tools"/run "$tools"/test "$tools"/try_in_debian "$tools"/*.sh "$tree/tools"
 put_program dpkg-query <<'T'
 shift 3
 for package in "$@"; do [ "$package" = "${MISSING-}" ] || printf '<%s:installed>' "$package"; done
 T
 put_program id <<<'echo ${USER_ID:-0}'
 put_program sudo <<<'exit 1'
-put_program apt-get <<<'echo "apt-get $*" >>"$LOG"; exit ${APT_GET_FAILS:-0}'
+put_program apt-get <<'T'
+[ -n "${APT_GET_FAILS-}" ] && exit "$APT_GET_FAILS"
+case $* in
+  *--assume-no*)
+    echo "0 upgraded, 7 newly installed, 0 to remove and 0 not upgraded."
+    echo "Need to get 90.5 MB/96.8 MB of archives."
+    echo "After this operation, 377 MB of additional disk space will be used."
+    exit 1 ;;
+  *--print-uris*) echo "'address' libsundials-dev_7_any.deb 1046920 SHA256:0"; exit 0 ;;
+  "download "*) : >libsundials-dev_7_any.deb ;;
+  *" install "* | "install "*) sleep "${APT_GET_TAKES:-0}" ;;
+esac
+echo "apt-get $*" >>"$LOG"
+T
+put_program dpkg-deb <<'T'
+folder=$(mktemp -d)
+mkdir -p "$folder/usr/include/ida" "$folder/usr/lib/machine" "$folder/usr/share/doc"
+touch "$folder/usr/include/ida/ida.h"
+for library in ida core idas; do touch "$folder/usr/lib/machine/libsundials_$library.a"; done
+tar -c -C "$folder" ./usr
+rm -r "$folder"
+T
 put_program cmake <<'T'
 echo "cmake $*" >>"$LOG"
 echo "cmake talks"
@@ -25,6 +46,7 @@ put build/release/build.ninja <<<''
 put build/release/CMakeCache.txt <<<"CMAKE_HOME_DIRECTORY:INTERNAL=$(cd "$tree" && pwd -P)"
 put somewhere/case.toml <<<''
 export PATH=$tree/bin:$PATH LOG=$tree/log
+unpacked=$tree/build/deps/sundials
 unset CMAKE_BUILD_PARALLEL_LEVEL
 touch "$LOG"
 
@@ -69,7 +91,55 @@ case $1 in
     expect_code 3
     done_so_far
     expect_words "apt-get update"
-    expect_words "apt-get install -y --no-install-recommends -o DPkg::Lock::Timeout=600 libhwy-dev"
+    expect_words "apt-get install --no-install-recommends -o DPkg::Lock::Timeout=600 -y libhwy-dev"
+    ;;
+  says-first)
+    MISSING=libhwy-dev APT_GET_TAKES=1.5 STRANDYN_SIGN_S=0.5 call run_here case.toml
+    expect_words "(7 packages, 90.5 MB to fetch, 377 MB on the disk): libhwy-dev"
+    [[ $said == *"377 MB on the disk"*"s, 7 packages: 0 fetched, 0 unpacked, 0 set up"* ]] || fail "no sign of life afterwards"
+    ;;
+  unpacks)
+    for user in 0 1000; do
+      rm -rf "$unpacked"
+      : >"$LOG"
+      MISSING=libsundials-dev USER_ID=$user call run_here case.toml
+      expect_code 3
+      expect_words "fetching libsundials-dev, 1.0 MB"
+      [[ $(cd "$unpacked" && find . -type f | sort | tr '\n' ' ') == \
+        "./include/ida/ida.h ./lib/libsundials_core.a ./lib/libsundials_ida.a " ]] || fail "not what was to be unpacked"
+      done_so_far
+      expect_words "apt-get download libsundials-dev"
+      expect_no_words "apt-get install"
+    done
+    expect_no_words "apt-get update"
+    : >"$LOG"
+    MISSING=libsundials-dev call run_here case.toml
+    done_so_far
+    expect_no_words "apt-get"
+    ;;
+  unpacks-not)
+    MISSING=libsundials-dev USER_ID=1000 APT_GET_FAILS=100 call run_here case.toml
+    expect_code 69
+    expect_words "sudo sh -c 'apt-get update'"
+    [[ ! -e $unpacked ]] || fail "half of a package is left"
+    ;;
+  same-build)
+    mkdir "$tree/.ci"
+    cp "$tools/../.ci/run" "$tree/.ci"
+    put tools/check_nothing <<<''
+    chmod +x "$tree/tools/check_nothing"
+    call "$tree/.ci/run"
+    expect_code 8
+    done_so_far
+    expect_words "cmake --preset ci"
+    expect_no_words "--fresh"
+    ;;
+  debian-skipped)
+    USER_ID=1000 call "$tree/tools/try_in_debian" trixie
+    expect_code 77
+    expect_words "not root"
+    call "$tree/tools/try_in_debian"
+    expect_code 2
     ;;
   no-rights)
     MISSING=libhwy-dev USER_ID=1000 call run_here case.toml

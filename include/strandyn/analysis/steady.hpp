@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace strandyn::analysis {
@@ -37,5 +38,15 @@ struct SteadyState {
 
 /// Over the last `last` cycles, or all if there are fewer.
 SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbers& span, std::size_t last = 20);
+
+/// What flows through a span in a cycle.
+struct CycleFlow {
+  double amplitude = 0;  ///< [m] of the antinode, or of the mode
+  double in = 0;         ///< [J] work of the loads
+  double lost = 0;       ///< [J] to friction, viscous damping and the integrator
+};
+inline constexpr std::size_t cycles_that_show_steadiness = 20;
+/// Like amplitudes (within 0.2 %), and what comes in is what is lost (within 0.5 %); `nothing` [J] a cycle is nothing.
+bool is_steady(std::span<const CycleFlow> cycles, double nothing = 0);
 
 }  // namespace strandyn::analysis

@@ -6,12 +6,13 @@
 /// An index counts from 0, or from the end if negative; max, min and sum run over the list. `exit_code` is that of the
 /// program.
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "strandyn/results/value.hpp"
 
 namespace strandyn::casefile {
 
@@ -45,7 +46,7 @@ struct Verdict {
 };
 
 /// One verdict per entry. A path that leads nowhere fails with a text; nothing is thrown.
-std::vector<Verdict> judge(const Acceptance& acceptance, const nlohmann::ordered_json& summary, int exit_code);
+std::vector<Verdict> judge(const Acceptance& acceptance, const results::Value& summary, int exit_code);
 
 /// What is wrong with the spelling of a path, or nothing.
 std::optional<std::string> find_path_fault(std::string_view path);

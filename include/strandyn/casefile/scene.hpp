@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "strandyn/casefile/acceptance.hpp"
+#include "strandyn/casefile/analysis.hpp"
 #include "strandyn/casefile/choices.hpp"
+#include "strandyn/casefile/section.hpp"
 #include "strandyn/casefile/source.hpp"
 #include "strandyn/conductor/strand.hpp"
 
@@ -48,26 +50,6 @@ struct Conductor {
   std::optional<double> rated_strength;   ///< [N]
 
   conductor::Strand strand;  ///< all of the above, resolved
-};
-
-struct Spring {
-  double stiffness = 0;  ///< [N m^2]
-  double yield = 0;      ///< [1/m]
-};
-
-struct Section {
-  Law law = Law::return_map;
-  int points = 36;                        ///< per turn of the lay
-  int contact_springs = 17;               ///< `compliant`: springs per contact
-  double compliance_scale = 1;            ///< [-] `compliant`
-  bool axial_resultants = false;          ///< `return-map`: bending forces of the wires count in N and M1
-  std::optional<double> EA;               ///< [N] this and the next three: laws `elastic` and `multilinear`
-  std::optional<double> EI;               ///< [N m^2] with springs: what remains when all have yielded
-  std::optional<double> GJ;               ///< [N m^2]
-  std::optional<double> mass_per_length;  ///< [kg/m]
-  std::optional<double> rotary_inertia;   ///< [kg m] mass moment per length about an axis of bending
-  std::optional<double> polar_inertia;    ///< [kg m] about the axis of the span
-  std::vector<Spring> springs;            ///< `multilinear`
 };
 
 struct Span {
@@ -182,139 +164,6 @@ struct Integrator {
   std::optional<double> checkpoint_every;     ///< [s] of wall time; empty: none
 };
 
-struct SectionAnalysis {
-  std::vector<double> tensions;              ///< [N]
-  std::vector<double> tensions_rts;          ///< [-]; see `section_tensions`
-  std::vector<double> curvature_amplitudes;  ///< [1/m] this, or
-  std::vector<double> relative_amplitudes;   ///< [-] of chi_0, or path
-  std::vector<double> frictions;             ///< [-] of all contacts; empty: the conductor's own
-  bool compare_residual_forces = false;      ///< each loop once more without residual forces
-  std::vector<double> wires_at;              ///< [1/m] where wire forces are listed
-  int steps_per_cycle = 400;
-  Twist twist = Twist::held;
-  std::optional<std::string> path;  ///< csv file of strain, torsion, curvatures, as written in the case
-};
-
-struct AxialTorsionAnalysis {
-  double axial_strain = 0.001;  ///< [-]
-};
-
-struct StaticAnalysis {
-  int steps = 20;
-  std::vector<double> slip_map_loads;  ///< [N] where the slipping wires at the first static force's point are listed
-};
-
-struct ModesAnalysis {
-  int count = 12;
-  std::optional<double> near_frequency;  ///< [Hz] the modes nearest to it; empty: the lowest
-};
-
-struct DecayAnalysis {
-  int mode = 1;
-  std::optional<double> antinode_amplitude;  ///< [m] empty: [initial] starts the motion
-  int cycles = 0;
-};
-
-struct ForcedAnalysis {
-  std::optional<int> cycles;  ///< this or
-  std::optional<Until> until;
-};
-
-struct TransientAnalysis {
-  double duration = 0;         ///< [s]
-  std::vector<double> probes;  ///< [m] from the left support; empty: the right end and the loaded points
-};
-
-/// How a periodic response is solved.
-struct PeriodicKeys {
-  int harmonics = 5;
-  int samples = 64;  ///< per cycle
-};
-
-/// Through the resonance nearest to the frequency of the drive, at its amplitude.
-struct SweepAnalysis {
-  double relative_width = 0.02;          ///< [-] how far below and above the linear frequency; instead:
-  std::optional<double> from, to;        ///< [Hz] both
-  std::optional<double> frequency_step;  ///< [Hz] largest; empty: a fortieth of the way
-  double swing_step = 0.1;               ///< [-] largest change of the response between two points, in parts of itself
-  int backbone_points = 5;               ///< resonances up to the peak's amplitude
-  PeriodicKeys periodic;
-};
-
-/// [[analysis.at]]: one point of a self-damping study, beside its grid.
-struct DampingAt {
-  std::optional<double> frequency;                ///< [Hz] this or
-  std::optional<int> mode;                        ///< that of this mode, counted from 1
-  std::optional<double> amplitude_over_diameter;  ///< [-] one of these three
-  std::optional<double> antinode_amplitude;       ///< [m]
-  std::optional<double> antinode_velocity;        ///< [m/s]
-  std::optional<double> tension_rts;              ///< [-] this or
-  std::optional<double> tension;                  ///< [N]
-  std::optional<DampingRoad> road;                ///< the study's unless given
-};
-
-/// [analysis.foti_2018]: the numbers of the simplified loss; the strand's own where they are not given.
-struct SimplifiedLoss {
-  std::optional<double> EI;                       ///< [N m^2]
-  std::optional<double> chi_0_at_rated_strength;  ///< [1/m] in proportion to the tension
-};
-
-/// [[analysis.energy_balance]]
-struct EnergyBalanceKeys {
-  WindCurve wind = WindCurve::cigre;
-  double turbulence_intensity = 0;  ///< [-]
-  double strouhal = 0.2;            ///< [-]
-  std::vector<double> frequencies;  ///< [Hz] empty: those of the study
-  BalancedBy self_damping = BalancedBy::quadrature;
-  std::string law;               ///< `published`: its name
-  std::optional<double> factor;  ///< `published`: k for m, Hz, kN
-};
-
-/// [analysis.bench]: the test bench of the road "transient".
-struct BenchKeys {
-  BenchStart start = BenchStart::mode;
-  int cycles = 20;                    ///< measured, once the vibration is steady
-  int decay_cycles = 12;              ///< after the shaker is let go
-  int max_cycles = 3000;              ///< until the vibration is steady
-  double amplitude_tolerance = 2e-3;  ///< [-] of the wanted antinode amplitude
-};
-
-struct SelfDampingAnalysis {
-  std::vector<double> frequencies;               ///< [Hz] this or
-  std::vector<double> modes;                     ///< counted from 1
-  std::vector<double> amplitudes_over_diameter;  ///< [-] one of these three
-  std::vector<double> antinode_amplitudes;       ///< [m]
-  std::vector<double> antinode_velocities;       ///< [m/s]
-  std::vector<double> tensions_rts;              ///< [-] this or
-  std::vector<double> tensions;                  ///< [N]
-  DampingRoad road = DampingRoad::quadrature;
-  ModeShape mode_shape = ModeShape::sine;
-  std::vector<DampingAt> at;
-  std::vector<std::array<double, 2>> bands;  ///< [-] of amplitude over diameter
-  PeriodicKeys periodic;
-  SimplifiedLoss simplified;
-  BenchKeys bench;
-  std::vector<EnergyBalanceKeys> energy_balances;
-
-  bool has_grid() const { return !frequencies.empty() || !modes.empty(); }
-  bool names_modes() const;  ///< of the grid or of a single point
-  bool takes(DampingRoad road) const;
-};
-
-/// Only the table of the chosen type is read.
-struct Analysis {
-  AnalysisType type = AnalysisType::section;
-  SectionAnalysis section;
-  AxialTorsionAnalysis axial_torsion;
-  StaticAnalysis static_;
-  ModesAnalysis modes;
-  DecayAnalysis decay;
-  ForcedAnalysis forced;
-  TransientAnalysis transient;
-  SweepAnalysis sweep;
-  SelfDampingAnalysis self_damping;
-};
-
 struct Scene {
   std::string title;                   ///< the file's name unless said
   std::optional<Conductor> conductor;  ///< may be empty for the laws that need none
@@ -330,6 +179,17 @@ struct Scene {
   Analysis analysis;
   Acceptance accept;
   Source source;
+  std::vector<std::string> notes;  ///< what a reader of the case should know: old names that were used
+
+  /// The chosen analysis; `as` where it is known to be this one.
+  template <class T>
+  bool is() const {
+    return std::holds_alternative<T>(analysis);
+  }
+  template <class T>
+  const T& as() const {
+    return std::get<T>(analysis);
+  }
 };
 
 /// [N] tension of the span, given as such or by rated strength; empty where an unstressed length sets it.

@@ -2,10 +2,10 @@
 /// \file JSON Schema (draft 2020-12) of a case file, for editors: types, units, defaults, bounds, choices and help,
 /// from the same declarations that read the file.
 
-#include <nlohmann/json.hpp>
+#include <string>
 
 namespace strandyn::casefile {
 
-nlohmann::ordered_json case_schema();
+std::string case_schema();
 
 }  // namespace strandyn::casefile

@@ -11,13 +11,14 @@
 #include "strandyn/beam/planar_element.hpp"
 #include "strandyn/beam/spatial_element.hpp"
 #include "strandyn/beam/spatial_inertia.hpp"
+#include "strandyn/core/words.hpp"
 #include "strandyn/model/freedom.hpp"
 #include "strandyn/model/time_function.hpp"
 #include "strandyn/section/law.hpp"
 
 namespace strandyn::model {
 
-enum class MassMatrix { lumped, consistent };
+using strandyn::MassMatrix;
 
 /// Holds unknowns of a node at their reference value. Entries that the chain does not have count for nothing.
 struct Support {

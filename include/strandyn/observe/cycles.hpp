@@ -2,6 +2,8 @@
 /// \file The ledger and the motion cycle by cycle, and where along the span the energy is lost.
 
 #include <deque>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -26,10 +28,35 @@ struct Cycle {
   std::size_t elements_slipping = 0;  ///< in which some friction was dissipated
 };
 
+/// The columns of cycles.csv and the members of `cycles[]`.
+template <class V>
+void members(V& v, Cycle& c) {
+  v.value("t_s", c.end_time, {.what = "the end of the cycle"});
+  v.value("antinode_amplitude_m", c.antinode_amplitude,
+          {.what = "half of peak to peak at the largest antinode away from the ends", .shown = "antinode amplitude"});
+  v.value("external_work_J", c.external_work, {.what = "work of the loads and of moved supports"});
+  v.value("kinetic_J", c.kinetic, {.what = "kinetic energy at the end"});
+  v.value("elastic_J", c.elastic, {.what = "elastic energy at the end, above that of the initial state"});
+  v.value("friction_dissipation_J", c.friction, {.what = "friction between the wires", .shown = "friction per cycle"});
+  v.value("viscous_dissipation_J", c.viscous, {.what = "all viscous damping"});
+  v.value("drag_J", c.viscous_parts.drag, {.what = "of it, drag along the span"});
+  v.value("dampers_J", c.viscous_parts.dampers, {.what = "of it, dampers of bodies"});
+  v.value("rayleigh_J", c.viscous_parts.rayleigh, {.what = "of it, Rayleigh damping"});
+  v.value("modal_J", c.viscous_parts.modal, {.what = "of it, modal damping"});
+  v.value("numerical_dissipation_J", c.numerical,
+          {.what = "what the other terms leave over: the integrator's error", .shown = "numerical part per cycle"});
+  v.value("quadrature_error_J", c.quadrature_error,
+          {.what = "error of the friction's steps, contained in the numerical part with a minus"});
+  v.value("internal_work_J", c.internal_work, {.what = "trapezoidal work of the internal forces"});
+  v.value("elements_slipping", c.elements_slipping, {.what = "elements in which some friction was dissipated"});
+}
+
 struct CycleOptions {
   double period = 0;       ///< [s]
   double loop_length = 0;  ///< [m] half a wave: antinodes closer than this to a support do not count
   std::size_t kept = 20;   ///< last cycles over which profiles are averaged
+  std::size_t most = std::numeric_limits<std::size_t>::max();  ///< last cycles that `cycles` holds
+  std::function<void(const Cycle&)> each = {};                 ///< hears of every cycle as it ends
 };
 
 /// Along the span, one entry per section point, mean of the last cycles.
@@ -50,7 +77,8 @@ class CycleObserver final : public Observer {
   bool wants_forces() const override { return true; }
   void archive(Archive& a) override;
 
-  const std::vector<Cycle>& cycles() const { return cycles_; }
+  const std::vector<Cycle>& cycles() const { return cycles_; }  ///< the last ones, at least `most` where there are more
+  std::size_t count() const { return count_; }                  ///< of all that have ended
   const Ledger& ledger() const { return ledger_; }
   Profile profile(const system::System& system) const;
 
@@ -78,6 +106,7 @@ class CycleObserver final : public Observer {
   Account cycle_start_;
   double time_before_ = 0;
   std::vector<Cycle> cycles_;
+  std::size_t count_ = 0;
   std::optional<DeflectionPoints> places_;
   bool system_is_planar_ = true;
   Range deflection_, curvature_, curvature_3_;  // curvatures about the axes 2 and 3; about 2 only in a plane

@@ -34,15 +34,6 @@ struct Quantity {
 /// 47.15 and "MN" for 4.715e7 and "N".
 Quantity quantity(double value, std::string_view unit, int digits = 4);
 
-/// A key with its unit taken off.
-struct Label {
-  std::string name;
-  std::string unit;  ///< "J/m"; empty where the key names none
-};
-
-/// friction_dissipation_J -> "friction dissipation", "J"; EI_min_N_m2 -> "EI_min", "N m²".
-Label label_of(std::string_view key);
-
 /// 75 -> "1 min 15 s"; 4000 -> "1 h 07 min"; below ten seconds with one decimal where `tenths`.
 std::string duration(double seconds, bool tenths = false);
 

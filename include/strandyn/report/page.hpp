@@ -5,9 +5,10 @@
 
 namespace strandyn::report {
 
-/// Reads summary.json, which must be there, and cycles.csv, dissipation_profile.csv, loop.csv, modes.csv where they
-/// are. Writes report.html and each plot as an SVG file of its own into the folder; returns the path of the page.
-/// Throws FileError where a file cannot be read or written, InputError where one is broken.
+/// Reads summary.json, which must be there, and the tables that its figures and shown tables name. Writes report.html
+/// and each figure as an SVG file of its own into the folder; returns the path of the page. Throws FileError where
+/// there is no summary or a file cannot be written, InputError where a file is broken or a figure or a shown table asks
+/// for a table or a column that is not there.
 std::filesystem::path write_report(const std::filesystem::path& folder);
 
 }  // namespace strandyn::report

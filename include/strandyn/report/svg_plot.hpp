@@ -1,5 +1,5 @@
 #pragma once
-/// \file Line plots as SVG: no scripts, no fonts, nothing from outside.
+/// \file Plots as SVG: no scripts, no fonts, nothing from outside.
 ///
 /// A plot that stands alone brings colours that can be read on white and on black paper, since whoever shows it (a
 /// README) does not say which it has. A plot inside the page leaves the colours of text and grid to the page.
@@ -23,8 +23,18 @@ struct Series {
   bool line = true;
   bool dashed = false;
   bool markers = false;
-  bool filled = false;  ///< down to zero, lightly
-  double width = 1.75;  ///< [px]
+  bool filled = false;           ///< down to zero, lightly
+  double width = 1.75;           ///< [px]
+  std::vector<double> low = {};  ///< the lower edge of a band whose upper edge is y; a line where empty
+};
+
+/// Values over x and y, as colours.
+struct Cells {
+  std::string label = {};  ///< of the value
+  std::string unit = {};
+  std::vector<double> x;
+  std::vector<double> y;
+  std::vector<double> value;
 };
 
 struct Axis {
@@ -40,6 +50,7 @@ struct Plot {
   Axis x = {};
   Axis y = {};
   std::vector<Series> series = {};
+  std::optional<Cells> cells = {};
   int width = 720;   ///< [px]
   int height = 400;  ///< [px]
 };

@@ -16,8 +16,8 @@ namespace strandyn::report {
 enum class Align { left, right };
 
 struct TextColumn {
-  std::string header;
-  std::string unit = {};  ///< second line of the header, left out where no column has one
+  std::string header;     ///< its lines stand above each other
+  std::string unit = {};  ///< last line of the header, left out where no column has one
   int digits = 4;         ///< significant digits of numbers
   Align align = Align::right;
 };

@@ -2,7 +2,6 @@
 /// \file The output folder and the files in it. Every failure is a FileError that names the path and the cause.
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -15,10 +14,6 @@ void create_folder(const std::filesystem::path& path);
 /// Replaces the file in one step (temporary file beside it, flushed to disk, renamed): after a crash or on a full disk
 /// there is the old file or the new one, never half of one. `content` may be binary.
 void write_file(const std::filesystem::path& path, std::string_view content);
-
-/// Indented JSON. A number that is not finite is refused with its place in the document (`cycles[3].kinetic_J`): JSON
-/// has no NaN, and a silent null would read like a result that was never asked for.
-void write_json(const std::filesystem::path& path, const nlohmann::ordered_json& json);
 
 /// The whole file.
 std::string read_file(const std::filesystem::path& path);

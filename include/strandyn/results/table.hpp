@@ -34,6 +34,14 @@ class Table {
   std::vector<std::vector<double>> columns_;  ///< one vector per name
 };
 
+/// At most `most` indices of 0 ... count-1: the first, the last, and evenly spaced ones between.
+std::vector<std::size_t> evenly_spaced(std::size_t count, std::size_t most);
+
+/// Rows of a table by the values of some of its columns, in ascending order.
+using Groups = std::map<std::vector<double>, std::vector<std::size_t>>;
+
+Groups groups_of(const Table& table, const std::vector<std::string>& columns, const std::vector<std::size_t>& rows);
+
 /// Replaces the file in one step: a reader sees the old table or the new one. A value that is not finite is refused,
 /// with its column and row named, and the old file stays. Throws FileError.
 void write_csv(const std::filesystem::path& path, const Table& table);

@@ -12,13 +12,14 @@
 #include <cstddef>
 
 #include "strandyn/core/aligned.hpp"
+#include "strandyn/core/words.hpp"
 
 namespace strandyn::section {
 
 enum class Component : std::size_t { axial, torsion, bending2, bending3 };
 inline constexpr std::size_t component_count = 4;
 
-enum class Dimension { planar, spatial };
+using strandyn::Dimension;
 
 /// Section points come in blocks of this many lanes: one register of AVX-512, two of AVX2, four of SSE4.
 inline constexpr std::size_t block_lanes = 8;

@@ -41,6 +41,7 @@
 #include <vector>
 
 #include "strandyn/conductor/hertz.hpp"
+#include "strandyn/conductor/slip_curve.hpp"
 #include "strandyn/section/law.hpp"
 #include "strandyn/section/return_map.hpp"
 
@@ -56,40 +57,12 @@ struct CompliantOptions {
 /// What is wrong with the options, in words, or nothing.
 std::optional<std::string> find_fault(const CompliantOptions& options);
 
-/// The springs of one contact at one angle, from the smallest limit to the largest.
-struct SpringChain {
-  std::vector<double> stiffness;  ///< [-] kappa_i, parts of the contact's first stiffness
-  std::vector<double> limit;      ///< [-] phi_i, parts of its friction limit
-};
-
-/// Traction over its limit, and its slope, against x = u/u_star in [0, 1]: the virgin curve of a contact.
-class SlipCurve {
- public:
-  static SlipCurve spot();                  ///< 1 - (1 - x)^(3/2)
-  static SlipCurve line(double logarithm);  ///< x = (1 - y) + y ln(y)/(2 Lambda), traction 1 - y
-  double traction(double x) const;          ///< g
-  double slope(double x) const;             ///< g'
-  double loss_moment(double x) const;       ///< g - x g': the limits of all that slips at x
- private:
-  double logarithm_ = 0;  ///< 0: a spot
-};
-
-struct ChainPlan {
-  int springs = 17;
-  double smallest_slip = 3e-5;
-  double phase = 0;  ///< [0, 1) shift of the grading by this part of its ratio
-};
-/// r: the limits of neighbouring springs differ by this factor.
-double grading_ratio(const ChainPlan& plan);
-/// Keeps, exactly, the curve's first stiffness and limit, and on the average over phases the loss at small amplitudes.
-SpringChain spring_chain(const SlipCurve& curve, const ChainPlan& plan);
-
 struct CompliantCoefficients {
   /// What one side of a layer's wires touches.
   struct Contact {
     conductor::Interface face;
-    double share = 0;                 ///< contacts per length of this wire; 0: none, no traction
-    std::vector<SpringChain> chains;  ///< one per midpoint of a quarter turn
+    double share = 0;                            ///< contacts per length of this wire; 0: none, no traction
+    std::vector<conductor::SpringChain> chains;  ///< one per midpoint of a quarter turn
   };
   struct Layer {
     double k_w = 0;       ///< [N/m^2]

@@ -7,9 +7,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string_view>
 
 #include "strandyn/section/batch.hpp"
+#include "strandyn/section/wire_state.hpp"
 
 namespace strandyn::section {
 
@@ -59,6 +61,11 @@ class Law {
 
   /// Accepts `strains` as the end of a step: advances the history and tells the energies of that step.
   virtual Effort commit(History& history, const Field& strains, StepEnergy& energy) const = 0;
+
+  /// The wires of one point as the commit of `committed_strains` left them. Most laws know no wires.
+  virtual WireState wires(const History& /*history*/, const Field& /*committed_strains*/, std::size_t /*point*/) const {
+    throw std::logic_error("this law knows no wires");
+  }
 };
 
 }  // namespace strandyn::section

@@ -78,6 +78,7 @@ class SpatialReturnMap final : public Law {
   History start(const Field& strains) const override;
   Effort respond(const History& history, const Field& strains, Field& stresses, TangentField* tangents) const override;
   Effort commit(History& history, const Field& strains, StepEnergy& energy) const override;
+  WireState wires(const History& history, const Field& committed_strains, std::size_t point) const override;
 
   const SpatialCoefficients& coefficients() const { return c_; }
 

@@ -6,9 +6,6 @@
 
 #include <vector>
 
-#include "strandyn/section/return_map.hpp"
-#include "strandyn/section/spatial_return_map.hpp"
-
 namespace strandyn::section {
 
 /// One layer of helical wires, at the midpoints `WireState::theta`.
@@ -29,11 +26,5 @@ struct WireState {
   double N_bending = 0;            ///< [N] sum of n cos a mean(F_b): what (35) leaves out of N; spatial law only
   double M1_bending = 0;           ///< [N m] sum of n R sin a mean(F_b); spatial law only
 };
-
-WireState wire_state(const SpatialReturnMap& law, const History& history, std::size_t point);
-
-/// The planar law commits no axial strain of its own: `eps` is that of the commit. The second half of the turn mirrors
-/// the first.
-WireState wire_state(const PlanarReturnMap& law, const History& history, std::size_t point, double eps);
 
 }  // namespace strandyn::section

@@ -1,35 +1,23 @@
 #include "ida_memory.hpp"
 
-#include <cstddef>
-#include <span>
-
 #include "strandyn/core/error.hpp"
 #include "strandyn/solver/time/ida.hpp"
-#include "sundials_compat.hpp"
 
 #ifdef STRANDYN_IDA_CHECKPOINTS
+
 #include <ida/ida_impl.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_version.h>
+
+#include <cstddef>
+#include <span>
 
 // `ida_impl.h` describes IDA's memory as the library of this version lays it out.
 static_assert(SUNDIALS_VERSION_MAJOR == 6 && SUNDIALS_VERSION_MINOR == 4,
               "checkpoints know the memory of IDA in SUNDIALS 6.4: compare ida_impl.h and the use of its fields in "
               "ida.c before this file is used with another version");
-#endif
 
 namespace strandyn::solver {
-
-bool has_stepped(void* ida) {
-  long steps = 0;
-  IDAGetNumSteps(ida, &steps);
-  return steps > 0;
-}
-
-#ifdef STRANDYN_IDA_CHECKPOINTS
-
-bool ida_has_checkpoints() {
-  return true;
-}
-
 namespace {
 
 /// The library is loaded when the program starts: it may be another than the headers were of.
@@ -44,6 +32,10 @@ void require_version_of_headers() {
 }
 
 }  // namespace
+
+bool ida_has_checkpoints() {
+  return true;
+}
 
 void archive_ida(Archive& a, void* ida) {
   require_version_of_headers();
@@ -62,16 +54,20 @@ void archive_ida(Archive& a, void* ida) {
   a(m->ida_nst, m->ida_nre, m->ida_ncfn, m->ida_netf, m->ida_nni, m->ida_nnf, m->ida_nsetups);
 }
 
+}  // namespace strandyn::solver
+
 #else
+
+namespace strandyn::solver {
 
 bool ida_has_checkpoints() {
   return false;
 }
 
 void archive_ida(Archive&, void*) {
-  throw ComputationError("this program cannot keep the state of IDA");
+  throw ComputationError("the memory of IDA is not known in this version of SUNDIALS");
 }
 
-#endif
-
 }  // namespace strandyn::solver
+
+#endif

@@ -9,6 +9,7 @@
 
 #include "ida_memory.hpp"
 #include "strandyn/core/error.hpp"
+#include "sundials_versions.hpp"
 #include "vector_ops.hpp"
 
 namespace strandyn::solver {
@@ -25,7 +26,7 @@ void check(int flag, const char* call) {
 
 SUNContext make_context() {
   SUNContext context = nullptr;
-  check(sundials::create_context(&context), "SUNContext_Create");
+  check(sundials::make_context(context), "SUNContext_Create");
   return context;
 }
 
@@ -63,7 +64,7 @@ IdaStepper::IdaStepper(system::System& system, const InitialMotion& initial, con
   largest_ = {1e-6, 1e-6, 1e-6 / options.step, 1e-6 / options.step};
 
   void* ida = ida_.get();
-  check(sundials::be_silent(context_.get(), ida), "silence of SUNDIALS");
+  check(sundials::silence(context_.get(), ida), "the call that silences IDA");  // `failure` says it better
   check(IDAInit(ida, residual, 0, y_.get(), yp_.get()), "IDAInit");
   check(IDASetUserData(ida, this), "IDASetUserData");
   check(IDAWFtolerances(ida, weights), "IDAWFtolerances");
@@ -137,7 +138,7 @@ void IdaStepper::archive(Archive& a) {
   const auto vector = [&](N_Vector v) {
     for (sunindextype i = 0; i < N_VGetLength(v); ++i) a(N_VGetArrayPointer(v)[i]);
   };
-  bool stepped = has_stepped(ida_.get());
+  bool stepped = has_stepped();
   a(stepped);
   // IDA sets itself up in its first step; what comes of it is replaced.
   if (a.reads() && stepped && !advance(options_.end_time)) throw ComputationError("IDA could not set itself up again");
@@ -212,8 +213,8 @@ int IdaStepper::residual(sunrealtype t, N_Vector y, N_Vector yp, N_Vector f, voi
   });
 }
 
-int IdaStepper::refresh(sunrealtype, sunrealtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector, N_Vector,
-                        N_Vector) {
+int IdaStepper::refresh(sunrealtype, sunrealtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector,
+                        N_Vector, N_Vector) {
   auto& stepper = *static_cast<IdaStepper*>(self);
   return stepper.guarded([&] { stepper.problem_.refresh(cj); });
 }
@@ -263,6 +264,13 @@ bool IdaStepper::step(double stop) {
   IDAGetLastStep(ida_.get(), &length_);
   read_state();
   return true;
+}
+
+/// Since it began, or began anew.
+bool IdaStepper::has_stepped() const {
+  long steps = 0;
+  IDAGetNumSteps(ida_.get(), &steps);
+  return steps > 0;
 }
 
 StepTaken IdaStepper::last() const {

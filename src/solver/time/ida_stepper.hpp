@@ -8,7 +8,7 @@
 #include "chain_problem.hpp"
 #include "correction_test.hpp"
 #include "stepper.hpp"
-#include "sundials_compat.hpp"
+#include "sundials_versions.hpp"
 
 namespace strandyn::solver {
 
@@ -59,12 +59,14 @@ class IdaStepper final : public Stepper {
  private:
   // What SUNDIALS calls. `self` is this object.
   static int residual(sunrealtype t, N_Vector y, N_Vector yp, N_Vector f, void* self);
-  static int refresh(sunrealtype t, sunrealtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self, N_Vector,
-                     N_Vector, N_Vector);
+  static int refresh(sunrealtype t, sunrealtype cj, N_Vector y, N_Vector yp, N_Vector r, SUNMatrix J, void* self,
+                     N_Vector, N_Vector, N_Vector);
   static int weights(N_Vector y, N_Vector weight, void* self);
   static int solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype);
-  static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, sunrealtype, N_Vector, void* self);
+  static int has_converged(SUNNonlinearSolver solver, N_Vector y, N_Vector correction, sunrealtype, N_Vector,
+                           void* self);
   void make_linear_solver();
+  bool has_stepped() const;
   void begin_anew();
   void set_state();
   void read_state();

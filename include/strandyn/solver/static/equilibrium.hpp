@@ -13,11 +13,12 @@
 #include <functional>
 #include <vector>
 
+#include "strandyn/core/words.hpp"
 #include "strandyn/system/system.hpp"
 
 namespace strandyn::solver {
 
-enum class Control { load, displacement, arc_length };
+using strandyn::Control;
 
 /// What displacement control leads to its target.
 struct ControlledPoint {

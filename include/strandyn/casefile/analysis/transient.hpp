@@ -1,0 +1,34 @@
+#pragma once
+/// \file `type = "transient"`: anything over time.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "strandyn/casefile/declare.hpp"
+#include "strandyn/core/words.hpp"
+
+namespace strandyn::casefile {
+
+struct TransientAnalysis {
+  static constexpr std::string_view word = "transient";
+  static constexpr bool needs_span = true;
+  static constexpr bool needs_mass = true;
+  double duration = 0;         ///< [s]
+  std::vector<double> probes;  ///< [m] from the left support; empty: the right end and the loaded points
+};
+
+template <class V>
+void keys(V& v, TransientAnalysis& a) {
+  v.number("duration_s", a.duration,
+           {.help = "the time that is integrated", .unit = units::s, .above = 0, .required = true});
+  v.numbers(
+      "probes_m", a.probes,
+      {.help = "places whose motion is written, along the span (the right end and the loaded points unless given)",
+       .unit = units::m,
+       .at_least = 0});
+}
+
+}  // namespace strandyn::casefile

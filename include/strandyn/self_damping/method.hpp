@@ -1,0 +1,115 @@
+#pragma once
+/// \file The points of a self-damping study, and the methods that compute one.
+///
+/// A point is a frequency, an antinode amplitude and a tension; a method computes its self-damping. To add a method: a
+/// word in the case file's list of methods, a class, a line in the table of methods.cpp. Every method passes the
+/// battery of tests/self_damping/method_battery.hpp.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "strandyn/build/point.hpp"
+#include "strandyn/casefile/scene.hpp"
+#include "strandyn/results/record.hpp"
+#include "strandyn/self_damping/readings.hpp"
+
+namespace strandyn::self_damping {
+
+struct Point {
+  casefile::DampingMethod method = casefile::DampingMethod::quadrature;
+  double frequency = 0;           ///< [Hz]
+  double antinode_amplitude = 0;  ///< [m] half of peak to peak
+  double tension = 0;             ///< [N]
+  std::optional<int> mode{};      ///< where the case named the frequency by a mode of the span, from 1
+
+  build::PointAsk ask() const { return {.frequency = frequency, .tension = tension, .mode = mode}; }
+};
+
+/// All points of the study: the grid (tensions, in them frequencies, in them amplitudes), then [[analysis.at]].
+std::vector<Point> points_of(const casefile::Scene& scene);
+std::vector<double> distinct_tensions(const std::vector<Point>& points);
+
+struct PointResult {
+  double self_damping = 0;                   ///< [W/m] of the span, by its length
+  std::optional<double> free_span{};         ///< [W/m] without the end loops; nothing where there is no free span
+  std::optional<SpanVibration> vibration{};  ///< of a whole span in steady vibration
+  std::optional<BenchReadings> bench{};      ///< of a test bench
+  results::Value details = {};               ///< numbers of the method's own
+  section::Effort effort{};                  ///< what it took beyond what the points of a method share
+  std::string failure{};                     ///< why there are no numbers; empty otherwise
+  bool stopped = false;                      ///< ended by `stop`: it will be computed again
+};
+
+/// Section evaluations that something will take, at least and at most.
+struct Expected {
+  double least = 0, most = 0;
+  Expected& operator+=(const Expected& other) {
+    least += other.least;
+    most += other.most;
+    return *this;
+  }
+};
+
+/// How a method takes part in a run; called from any thread.
+struct Watch {
+  std::function<bool()> stop = {};                    ///< asked now and then by a point of many seconds
+  std::function<void(const std::string&)> tell = {};  ///< how far it is
+};
+
+/// Pure once begun: called from several threads at once, one point per call.
+class Method {
+ public:
+  virtual ~Method() = default;
+  /// Does what the points share.
+  virtual void begin(const std::vector<Point>&) {}
+  /// A ComputationError thrown is a failure of the point, not of the study.
+  virtual PointResult at(const Point& point, const Watch& watch) const = 0;
+  virtual Expected expected(const std::vector<Point>& points) const = 0;
+};
+
+/// Refuses (InputError) what the method cannot do with this scene, which must outlive it.
+std::unique_ptr<Method> make_method(casefile::DampingMethod word, const casefile::Scene& scene);
+
+/// A point as the summary, the tables and the log of a study have it: the numbers, or `failed` with the reason.
+struct PointRow {
+  double frequency = 0;
+  double antinode_amplitude = 0;
+  double tension = 0;
+  std::string method;
+  std::optional<double> amplitude_over_diameter{};
+  std::optional<std::uint64_t> section_evaluations{}, section_sweeps{};
+  std::optional<std::string> failed{};
+  std::optional<double> self_damping{}, free_span{};
+  std::optional<SpanVibration> vibration{};
+  std::optional<BenchReadings> bench{};
+  results::Value details{};
+
+  bool has_numbers() const { return self_damping.has_value(); }
+};
+template <class V>
+void members(V& v, PointRow& r) {
+  v.value("frequency_Hz", r.frequency, {.what = "the frequency"});
+  v.value("antinode_amplitude_m", r.antinode_amplitude, {.what = "half of peak to peak at the antinode"});
+  v.value("tension_N", r.tension, {.what = "the tension at rest"});
+  v.value("method", r.method, {.what = "how the point was computed"});
+  v.value("road", r.method, {.what = "the same word, by its old name"});
+  v.value("amplitude_over_diameter", r.amplitude_over_diameter,
+          {.what = "the amplitude over the conductor's diameter"});
+  v.value("section_evaluations", r.section_evaluations, {.what = "what the point took"});
+  v.value("section_sweeps", r.section_sweeps, {.what = "of these, the ones that marched through the layers"});
+  v.value("failed", r.failed, {.what = "why there are no numbers"});
+  v.value("self_damping_W_per_m", r.self_damping, {.what = "dissipated power over the length of the span"});
+  v.value("self_damping_free_span_W_per_m", r.free_span, {.what = "the same without the end loops"});
+  v.part(r.vibration);
+  v.record("bench", r.bench, {.what = "the readings of the test bench"});
+  v.rest(r.details);
+}
+
+/// Computes the point. Nothing where the method was stopped.
+std::optional<PointRow> compute_row(const casefile::Scene& scene, const Method& method, const Point& point,
+                                    const Watch& watch);
+
+}  // namespace strandyn::self_damping

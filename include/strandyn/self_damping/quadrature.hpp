@@ -1,0 +1,40 @@
+#pragma once
+/// \file The method "quadrature": the sectional loss summed over the free span as a sine, or over a clamped mode; no
+/// time is integrated. Its tables of the sectional loss, one per tension, are made for the range of all points of the
+/// study and of its energy balances, so that no number depends on what is left to do.
+
+#include "strandyn/build/section_law.hpp"
+#include "strandyn/self_damping/method.hpp"
+#include "strandyn/self_damping/sectional_loss.hpp"
+
+namespace strandyn::self_damping {
+
+class Quadrature final : public Method {
+ public:
+  explicit Quadrature(const casefile::Scene& scene);
+
+  void begin(const std::vector<Point>& points) override;
+  PointResult at(const Point& point, const Watch& watch) const override;
+  Expected expected(const std::vector<Point>& points) const override;
+
+  struct Table {
+    double tension = 0;  ///< [N]
+    SectionalLoss loss;
+  };
+  const std::vector<Table>& tables() const { return tables_; }
+  const SectionalLoss& at_tension(double tension) const;
+  /// [1/m] amplitude of the curvature of the free span.
+  double free_span_curvature(const Point& point) const;
+  /// [J/m] per cycle: what a sine of this curvature loses at any tension, without a table, for ratios: by the rule of
+  /// 24 places.
+  double loss_at(double tension, double curvature) const;
+
+ private:
+  const casefile::Scene& scene_;
+  build::SectionNumbers numbers_;
+  double mass_ = 0;  ///< [kg/m]
+  std::shared_ptr<const section::Law> law_;
+  std::vector<Table> tables_;
+};
+
+}  // namespace strandyn::self_damping

@@ -1,0 +1,145 @@
+#include "strandyn/self_damping/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "strandyn/analysis/published_laws.hpp"
+
+namespace strandyn::self_damping {
+
+using casefile::Scene;
+
+namespace {
+
+Pair pair(const analysis::Interval& interval) {
+  return {interval.low, interval.high};
+}
+
+void set(const std::optional<analysis::Estimate>& estimate, std::optional<double>& value, std::optional<double>& error,
+         std::optional<Pair>& interval) {
+  if (!estimate) return;
+  value = estimate->value;
+  error = estimate->standard_error;
+  if (estimate->interval_95) interval = pair(*estimate->interval_95);
+}
+
+FitRow row_of(const analysis::PowerLawFit& fit) {
+  FitRow row{.r2 = fit.r_squared,
+             .scatter = fit.scatter,
+             .points = fit.points,
+             .without_loss = fit.without_loss,
+             .no_slip_below = fit.no_slip_below};
+  if (const auto law = fit.law()) {
+    row.k = law->factor;
+    if (const auto& log_k = fit.log_factor->interval_95) row.k_interval = {std::exp(log_k->low), std::exp(log_k->high)};
+  }
+  set(fit.amplitude, row.l, row.l_error, row.l_interval);
+  set(fit.frequency, row.m, row.m_error, row.m_interval);
+  set(fit.tension, row.n, row.n_error, row.n_interval);
+  return row;
+}
+
+/// The rows of one method as points to fit, by the whole span or the free span.
+std::vector<analysis::SelfDampingPoint> points_to_fit(const std::vector<PointRow>& rows, std::string_view method,
+                                                      std::optional<double> PointRow::*power) {
+  std::vector<analysis::SelfDampingPoint> points;
+  for (const PointRow& row : rows) {
+    if (row.method != method || !(row.*power)) continue;
+    points.push_back(
+        {.at = {.antinode_amplitude = row.antinode_amplitude, .frequency = row.frequency, .tension = row.tension},
+         .power = *(row.*power)});
+  }
+  return points;
+}
+
+std::optional<LevelRow> level_of(const analysis::PowerLaw& law, const std::vector<analysis::SelfDampingPoint>& points) {
+  LevelRow level;
+  double sum = 0;
+  std::size_t count = 0;
+  for (const analysis::SelfDampingPoint& point : points) {
+    if (point.power <= 0) continue;
+    const double ratio = point.power / analysis::power(law, point.at);
+    level.least = count == 0 ? ratio : std::min(level.least, ratio);
+    level.largest = std::max(level.largest, ratio);
+    sum += std::log(ratio);
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  level.mean = std::exp(sum / static_cast<double>(count));
+  return level;
+}
+
+/// The published exponents, how far the fit lies outside of their band, and the levels where a factor is known.
+PublishedRow published(const Scene& scene, const analysis::PowerLawFit& fit,
+                       const std::vector<analysis::SelfDampingPoint>& points) {
+  const analysis::ExponentBands bands = analysis::published_bands();
+  const analysis::BandComparison comparison = analysis::compare_with_published(fit);
+  PublishedRow out{.source = std::string(analysis::published_laws_source),
+                   .l = pair(bands.amplitude),
+                   .m = pair(bands.frequency),
+                   .n = pair(bands.tension),
+                   .fit_outside_by = {.l = comparison.amplitude, .m = comparison.frequency, .n = comparison.tension},
+                   .laws = {}};
+  for (const analysis::PublishedLaw& law : analysis::published_laws()) {
+    LawRow& row = out.laws.emplace_back();
+    row.name = law.name;
+    row.l = pair(law.amplitude);
+    row.m = pair(law.frequency);
+    if (law.tension) row.n = pair(*law.tension);
+    if (!scene.conductor || scene.conductor->strand.rated_strength <= 0) continue;
+    const auto full = analysis::law_for(law, {.diameter = scene.conductor->strand.outer_diameter(),
+                                              .mass_per_length = *casefile::mass_per_length(scene),
+                                              .rated_strength = scene.conductor->strand.rated_strength});
+    if (!full) continue;
+    row.k = full->factor;
+    row.points_over_law = level_of(*full, points);
+  }
+  return out;
+}
+
+}  // namespace
+
+Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
+  const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
+  const std::string_view method = name_of(keys.method);
+  const auto whole = points_to_fit(rows, method, &PointRow::self_damping);
+  const auto free_span = points_to_fit(rows, method, &PointRow::free_span);
+  const analysis::PowerLawFit fit = analysis::fit_power_law(whole);
+  Fits fits{.fit = row_of(fit), .published = published(scene, fit, whole), .law = fit.law()};
+  if (!free_span.empty()) fits.free_span = row_of(analysis::fit_power_law(free_span));
+  for (const auto& [lowest, highest] : keys.bands) {
+    const double diameter = scene.conductor->strand.outer_diameter();
+    const analysis::AmplitudeBand band{.lowest = lowest * diameter, .highest = highest * diameter};
+    if (!fits.bands) fits.bands.emplace();
+    fits.bands->push_back(
+        {.lowest = lowest, .highest = highest, .fit = row_of(analysis::fit_power_law(free_span, band))});
+  }
+  return fits;
+}
+
+std::vector<OnsetRow> onsets_of(const Scene& scene, const Quadrature& quadrature, const std::vector<Point>& points) {
+  const double mass = *casefile::mass_per_length(scene);
+  std::vector<OnsetRow> rows;
+  for (const Quadrature::Table& table : quadrature.tables()) {
+    if (table.loss.onset() == 0) continue;
+    std::vector<double> seen;
+    for (const Point& point : points) {
+      if (point.tension != table.tension || std::ranges::find(seen, point.frequency) != seen.end()) continue;
+      seen.push_back(point.frequency);
+      const double omega = 2 * std::numbers::pi * point.frequency;
+      OnsetRow row{.tension = table.tension,
+                   .frequency = point.frequency,
+                   .curvature = table.loss.onset(),
+                   .antinode_amplitude = table.loss.onset() * table.tension / (mass * omega * omega),
+                   .slip_beyond = table.loss.loses()};
+      if (scene.conductor) {
+        row.amplitude_over_diameter = row.antinode_amplitude / scene.conductor->strand.outer_diameter();
+      }
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+}  // namespace strandyn::self_damping

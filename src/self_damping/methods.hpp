@@ -1,0 +1,36 @@
+#pragma once
+/// \file The methods that vibrate a whole span.
+
+#include "strandyn/build/method.hpp"
+#include "strandyn/laboratory/test_bench.hpp"
+#include "strandyn/self_damping/method.hpp"
+#include "strandyn/span/shaken_span.hpp"
+
+namespace strandyn::self_damping {
+
+/// "periodic": the steady state of a shaken span, solved directly at phase resonance.
+class PeriodicMethod final : public Method {
+ public:
+  explicit PeriodicMethod(const casefile::Scene& scene);
+  PointResult at(const Point& point, const Watch& watch) const override;
+  Expected expected(const std::vector<Point>& points) const override;
+
+ private:
+  const casefile::Scene& scene_;
+  span::ResponseOptions options_;
+};
+
+/// "transient": a test bench in time.
+class TransientMethod final : public Method {
+ public:
+  explicit TransientMethod(const casefile::Scene& scene);
+  PointResult at(const Point& point, const Watch& watch) const override;
+  Expected expected(const std::vector<Point>& points) const override;
+
+ private:
+  const casefile::Scene& scene_;
+  build::Integration integration_;
+  laboratory::BenchOptions options_;
+};
+
+}  // namespace strandyn::self_damping

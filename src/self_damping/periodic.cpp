@@ -1,0 +1,104 @@
+#include <cmath>
+#include <numbers>
+
+#include "methods.hpp"
+#include "strandyn/analysis/methods.hpp"
+
+namespace strandyn::self_damping {
+
+using casefile::Scene;
+using span::ResonanceAt;
+using span::ShakenSpan;
+using std::numbers::pi;
+
+namespace {
+
+PointResult failed(std::string why, const ResonanceAt& found) {
+  return {.effort = found.effort, .failure = std::move(why), .stopped = found.stopped};
+}
+
+/// [-] bending stiffness over EI_max of the tensioned beam that has the resonance at the mean tension of the vibration;
+/// its wave is as long as EI_max at rest makes it.
+double effective_stiffness(const build::BuiltSpan& built, const Point& point, double resonance, double mean_tension) {
+  const build::SectionNumbers& numbers = built.numbers;
+  const double mass = built.model.inertia.mass;
+  const double EI_max = numbers.EI_max;
+  const double k =
+      analysis::wavenumber({.tension = point.tension, .mass_per_length = mass, .EI = EI_max}, point.frequency);
+  const double stretched = mass / (1 + point.tension / numbers.EA);  // the chain's mass is that of unstressed length
+  return (stretched * std::pow(2 * pi * resonance, 2) - mean_tension * k * k) / (EI_max * std::pow(k, 4));
+}
+
+PointResult result_of(const ShakenSpan& shaken, const Point& point, const ResonanceAt& found) {
+  const solver::PeriodicSolution& s = found.solution;
+  const build::BuiltSpan& built = shaken.span().built;
+  const double length = built.length;
+  const double frequency = s.state.frequency;
+  PointResult result{.self_damping = span::losses_of(s) * frequency / length, .effort = found.effort};
+  const span::StrainRange strains = shaken.strains(s.state);
+  SpanVibration v{.mode = shaken.mode_number(),
+                  .span_length = length,
+                  .elements = built.model.elements.size(),
+                  .sticking_frequency = shaken.mode().frequency,
+                  .resonance = frequency,
+                  .reached_amplitude = found.antinode_amplitude,
+                  .friction = span::friction_of(s) * frequency / length,
+                  .viscous = s.viscous.total() * frequency / length,
+                  .drive_power = s.drive_power,
+                  .mean_tension = strains.mean_tension,
+                  .highest_tension = strains.highest_tension,
+                  .harmonics = static_cast<int>(s.state.harmonics.cols() - 1) / 2,
+                  .iterations = s.iterations,
+                  .loop_cycles = s.cycles,
+                  .loop_closure = s.loop_gap};
+  (shaken.drive_kind() == solver::DriveKind::force ? v.drive_force : v.drive_motion) = s.state.drive;
+  if (span::losses_of(s) > 0) v.imbalance = s.imbalance();
+  const double velocity = 2 * pi * frequency * point.antinode_amplitude;
+  v.loss_factor = analysis::loss_factor(analysis::damping_ratio(
+      result.self_damping,
+      {.mass_per_length = built.model.inertia.mass, .frequency = frequency, .velocity = velocity}));
+  v.effective_EI = effective_stiffness(built, point, frequency, strains.mean_tension);
+  if (const auto free = shaken.free_span(s, strains)) {
+    result.free_span = free->friction * frequency / (free->to - free->from);
+    v.free_span_from = free->from;
+    v.free_span_to = free->to;
+    v.free_span_curvature = free->curvature;
+    v.highest_curvature = free->highest;
+  }
+  result.vibration = v;
+  return result;
+}
+
+}  // namespace
+
+PeriodicMethod::PeriodicMethod(const Scene& scene) : scene_(scene) {
+  const casefile::PeriodicKeys& keys = scene.as<casefile::SelfDampingAnalysis>().periodic;
+  options_ = {.harmonics = keys.harmonics, .samples = keys.samples};
+  build::shaker_of(scene);
+}
+
+PointResult PeriodicMethod::at(const Point& point, const Watch& watch) const {
+  if (watch.stop && watch.stop()) return {.stopped = true};
+  const Scene own = build::scene_of_point(scene_, point.ask());
+  build::BuiltSpan built = build::build_span(own);
+  const build::Shaker shaker = build::find_shaker(own, built);
+  const ShakenSpan shaken(std::move(built), shaker, point.frequency, options_);
+  const ResonanceAt found = shaken.resonance(point.antinode_amplitude, watch.stop);
+  if (found.stopped || !found.solution.converged) return failed(found.solution.failure, found);
+  return result_of(shaken, point, found);
+}
+
+/// Counted on spans where nothing slips and on spans in gross slip: once to thirty times around the loops, and
+/// derivatives by each coefficient up to four times; each two cycles of one commit and one response.
+Expected PeriodicMethod::expected(const std::vector<Point>& points) const {
+  Expected expected;
+  for (const Point& point : points) {
+    const build::BuiltSpan span = build::build_span(build::scene_of_point(scene_, point.ask()));
+    const double once = static_cast<double>(span.section_points()) * options_.samples * 4;
+    const double by_coefficient = once * (2 * options_.harmonics + 1);
+    expected += {.least = 3 * once, .most = 10 * once + 2 * by_coefficient};
+  }
+  return expected;
+}
+
+}  // namespace strandyn::self_damping

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <numbers>
+
+#include "strandyn/build/section_law.hpp"
+#include "strandyn/exact/taut_string.hpp"
+#include "strandyn/exact/tensioned_beam.hpp"
+#include "strandyn/self_damping/method.hpp"
+
+namespace strandyn::self_damping {
+
+using casefile::Scene;
+
+namespace {
+
+/// [Hz] of a mode of the span: the string's where the quadrature goes over a sine, the beam's with all wires sticking
+/// else; clamped where the quadrature goes over clamped modes, or where the span is.
+double mode_frequency(const Scene& scene, casefile::DampingMethod method, double tension, int mode) {
+  const double mass = *casefile::mass_per_length(scene);
+  const double length = *scene.span->length;
+  const bool string = method == casefile::DampingMethod::foti_2018 ||
+                      (method == casefile::DampingMethod::quadrature &&
+                       scene.as<casefile::SelfDampingAnalysis>().mode_shape == casefile::ModeShape::sine);
+  if (string) return exact::frequency({.tension = tension, .mass_per_length = mass, .length = length}, mode);
+  const exact::TensionedBeam beam = {
+      .tension = tension, .EI = build::section_numbers(scene).EI_max, .mass_per_length = mass, .length = length};
+  const bool pinned = method != casefile::DampingMethod::quadrature && scene.span->left == casefile::Support::pinned &&
+                      scene.span->right == casefile::Support::pinned;
+  const exact::BeamEnds ends = pinned ? exact::BeamEnds::pinned : exact::BeamEnds::clamped;
+  return exact::TensionedBeamMode(beam, ends, mode).frequency();
+}
+
+/// The grid as single points, in its order.
+std::vector<casefile::DampingAt> single_points(const Scene& scene) {
+  const casefile::SelfDampingAnalysis& a = scene.as<casefile::SelfDampingAnalysis>();
+  std::vector<casefile::DampingAt> tensions, frequencies, amplitudes, all;
+  for (double part : a.tensions_rts) tensions.emplace_back().tension_rts = part;
+  for (double tension : a.tensions) tensions.emplace_back().tension = tension;
+  for (double frequency : a.frequencies) frequencies.emplace_back().frequency = frequency;
+  for (double mode : a.modes) frequencies.emplace_back().mode = static_cast<int>(mode);
+  for (double part : a.amplitudes_over_diameter) amplitudes.emplace_back().amplitude_over_diameter = part;
+  for (double amplitude : a.antinode_amplitudes) amplitudes.emplace_back().antinode_amplitude = amplitude;
+  for (double velocity : a.antinode_velocities) amplitudes.emplace_back().antinode_velocity = velocity;
+  for (const casefile::DampingAt& tension : tensions) {
+    for (const casefile::DampingAt& frequency : frequencies) {
+      for (casefile::DampingAt point : amplitudes) {
+        point.tension = tension.tension;
+        point.tension_rts = tension.tension_rts;
+        point.frequency = frequency.frequency;
+        point.mode = frequency.mode;
+        all.push_back(point);
+      }
+    }
+  }
+  all.insert(all.end(), a.at.begin(), a.at.end());
+  return all;
+}
+
+}  // namespace
+
+std::vector<Point> points_of(const Scene& scene) {
+  const double diameter = build::section_numbers(scene).diameter;
+  std::vector<Point> points;
+  for (const casefile::DampingAt& at : single_points(scene)) {
+    Point point{.method = at.method.value_or(scene.as<casefile::SelfDampingAnalysis>().method), .mode = at.mode};
+    point.tension = at.tension ? *at.tension : *at.tension_rts * scene.conductor->strand.rated_strength;
+    point.frequency = at.frequency ? *at.frequency : mode_frequency(scene, point.method, point.tension, *at.mode);
+    point.antinode_amplitude = at.antinode_amplitude ? *at.antinode_amplitude
+                               : at.amplitude_over_diameter
+                                   ? *at.amplitude_over_diameter * diameter
+                                   : *at.antinode_velocity / (2 * std::numbers::pi * point.frequency);
+    points.push_back(point);
+  }
+  return points;
+}
+
+std::vector<double> distinct_tensions(const std::vector<Point>& points) {
+  std::vector<double> tensions;
+  for (const Point& point : points) {
+    if (std::ranges::find(tensions, point.tension) == tensions.end()) tensions.push_back(point.tension);
+  }
+  return tensions;
+}
+
+}  // namespace strandyn::self_damping

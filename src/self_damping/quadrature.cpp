@@ -1,0 +1,157 @@
+#include "strandyn/self_damping/quadrature.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "strandyn/analysis/wind_power.hpp"
+#include "strandyn/core/side_by_side.hpp"
+#include "strandyn/self_damping/mode_loss.hpp"
+
+namespace strandyn::self_damping {
+
+using casefile::DampingMethod;
+using casefile::Scene;
+
+namespace {
+
+const casefile::SelfDampingAnalysis& keys_of(const Scene& scene) {
+  return scene.as<casefile::SelfDampingAnalysis>();
+}
+
+/// [1/m] amplitude of the curvature of a taut string.
+double string_curvature(double mass, const Point& point) {
+  const double omega = 2 * std::numbers::pi * point.frequency;
+  return mass * omega * omega * point.antinode_amplitude / point.tension;
+}
+
+bool goes_over_clamped_modes(const Scene& scene) {
+  return keys_of(scene).mode_shape == casefile::ModeShape::clamped;
+}
+
+exact::TensionedBeam beam_of(const Scene& scene, const build::SectionNumbers& numbers, double tension) {
+  return {.tension = tension,
+          .EI = numbers.EI_max,
+          .mass_per_length = *casefile::mass_per_length(scene),
+          .length = *scene.span->length};
+}
+
+/// The points whose sectional loss will be asked for: its own, and the ends of every energy balance.
+std::vector<Point> points_of_quadrature(const Scene& scene, const std::vector<Point>& all) {
+  const casefile::SelfDampingAnalysis& a = keys_of(scene);
+  const double diameter = build::section_numbers(scene).diameter;
+  std::vector<Point> points;
+  std::ranges::copy_if(all, std::back_inserter(points),
+                       [](const Point& point) { return point.method == DampingMethod::quadrature; });
+  for (const casefile::EnergyBalanceKeys& balance : a.energy_balances) {
+    if (balance.self_damping != casefile::BalancedBy::quadrature) continue;
+    for (double tension : distinct_tensions(all)) {
+      for (double frequency : balance.frequencies.empty() ? a.frequencies : balance.frequencies) {
+        for (const analysis::WindPowerCurve* curve : analysis::wind_power_curves()) {
+          for (double part : {curve->lowest, curve->highest}) {
+            points.push_back({.frequency = frequency, .antinode_amplitude = part * diameter, .tension = tension});
+          }
+        }
+      }
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Quadrature::Quadrature(const Scene& scene)
+    : scene_(scene),
+      numbers_(build::section_numbers(scene)),
+      mass_(*casefile::mass_per_length(scene)),
+      law_(build::build_law(scene, section::Dimension::planar)) {}
+
+void Quadrature::begin(const std::vector<Point>& all) {
+  const std::vector<Point> points = points_of_quadrature(scene_, all);
+  const std::vector<double> tensions = distinct_tensions(points);
+  std::vector<std::optional<SectionalLoss>> losses(tensions.size());
+  side_by_side(tensions.size(), [&](std::size_t i) {
+    CurvatureRange range{.lowest = INFINITY, .highest = 0};
+    for (const Point& point : points) {
+      if (point.tension != tensions[i]) continue;
+      ClampedCurvature chi{.free_span = string_curvature(mass_, point), .largest = string_curvature(mass_, point)};
+      if (goes_over_clamped_modes(scene_)) {
+        chi = curvature_of(clamped_mode_at(beam_of(scene_, numbers_, point.tension), point.frequency));
+        chi.free_span *= point.antinode_amplitude;
+        chi.largest *= point.antinode_amplitude;
+      }
+      range.lowest = std::min(range.lowest, chi.free_span);
+      range.highest = std::max(range.highest, chi.largest);
+    }
+    const SectionState state = {.axial_strain = tensions[i] / numbers_.EA, .EI_max = numbers_.EI_max};
+    losses[i].emplace(*law_, state, range);
+  });
+  for (std::size_t i = 0; i < tensions.size(); ++i) {
+    tables_.push_back({.tension = tensions[i], .loss = std::move(*losses[i])});
+  }
+}
+
+const SectionalLoss& Quadrature::at_tension(double tension) const {
+  return std::ranges::find(tables_, tension, &Table::tension)->loss;
+}
+
+double Quadrature::free_span_curvature(const Point& point) const {
+  if (!goes_over_clamped_modes(scene_)) return string_curvature(mass_, point);
+  return point.antinode_amplitude *
+         curvature_of(clamped_mode_at(beam_of(scene_, numbers_, point.tension), point.frequency)).free_span;
+}
+
+double Quadrature::loss_at(double tension, double curvature) const {
+  constexpr int places = 24;
+  std::vector<double> amplitudes;
+  for (int i = 0; i < places; ++i) {
+    amplitudes.push_back(curvature * std::sin((i + 0.5) * std::numbers::pi / (2 * places)));
+  }
+  section::Effort effort;
+  double sum = 0;
+  for (double loss : loss_per_cycle(*law_, {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max},
+                                    amplitudes, {}, effort)) {
+    sum += loss;
+  }
+  return sum / places;
+}
+
+PointResult Quadrature::at(const Point& point, const Watch&) const {
+  const SectionalLoss& loss = at_tension(point.tension);
+  if (!goes_over_clamped_modes(scene_)) {
+    const double power = point.frequency * mean_loss_of_sine(loss, string_curvature(mass_, point));
+    return {.self_damping = power, .free_span = power};
+  }
+  const ClampedMode mode = clamped_mode_at(beam_of(scene_, numbers_, point.tension), point.frequency);
+  const SpanLoss lost = loss_of_mode(loss, mode, point.antinode_amplitude);
+  PointResult result{.self_damping = point.frequency * lost.mean};
+  if (lost.free_span) result.free_span = point.frequency * *lost.free_span;
+  result.details.set("mode", mode.number);
+  result.details.set("span_length_m", mode.beam.length);
+  return result;
+}
+
+/// A table takes some 64 steps of one and a half cycles for each of its knots, of which there are 8 a decade to begin
+/// with; and the search for the onset, 65 points a round.
+Expected Quadrature::expected(const std::vector<Point>& all) const {
+  const std::vector<Point> points = points_of_quadrature(scene_, all);
+  Expected expected;
+  for (const double tension : distinct_tensions(points)) {
+    double lowest = INFINITY, highest = 0;
+    for (const Point& point : points) {
+      if (point.tension != tension) continue;
+      lowest = std::min(lowest, string_curvature(mass_, point));
+      highest = std::max(highest, string_curvature(mass_, point));
+    }
+    if (law_->name() == "stick" || law_->name() == "slip" || law_->name() == "elastic") {
+      expected += {.least = 65, .most = 130};
+      continue;
+    }
+    constexpr double per_knot = 160;
+    const double decades = std::log10(highest / lowest) + 1.5;
+    expected += {.least = 12 * decades * per_knot, .most = 110 * decades * per_knot};
+  }
+  return expected;
+}
+
+}  // namespace strandyn::self_damping

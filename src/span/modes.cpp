@@ -1,0 +1,63 @@
+#include "strandyn/span/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "strandyn/observe/deflection_points.hpp"
+
+namespace strandyn::span {
+
+std::vector<solver::Mode> modes_across(const SpanAtRest& span, int count) {
+  if (count == 0) return {};
+  return solver::transverse_modes(span.system, span.u, static_cast<std::size_t>(count));
+}
+
+NumberedMode mode_near(const SpanAtRest& span, double frequency) {
+  const auto away = [frequency](const solver::Mode& mode) { return std::abs(mode.frequency - frequency); };
+  auto count = static_cast<int>(std::ceil(span.built.length / span.built.loop_length(frequency))) + 1;
+  for (;; count *= 2) {
+    const std::vector<solver::Mode> modes = modes_across(span, count);
+    if (modes.back().frequency < frequency) continue;
+    const auto nearest = std::ranges::min_element(modes, {}, away);
+    return {.mode = *nearest, .number = static_cast<int>(nearest - modes.begin()) + 1};
+  }
+}
+
+system::Vector unit_antinode(const SpanAtRest& span, const solver::Mode& mode) {
+  const observe::DeflectionPoints places(span.built.model, span.built.loop_length(mode.frequency));
+  return mode.shape / places.largest(mode.shape.data());
+}
+
+std::vector<ModeRow> rows_of(const std::vector<solver::Mode>& modes) {
+  std::vector<ModeRow> rows;
+  for (const solver::Mode& mode : modes) {
+    rows.push_back({.frequency = mode.frequency, .kind = name_of(mode.kind), .modal_mass = mode.modal_mass});
+  }
+  return rows;
+}
+
+results::Table shapes_of(const SpanAtRest& span, const std::vector<solver::Mode>& modes) {
+  const model::Model& model = span.built.model;
+  std::vector<std::string> names = {"arc_m"};
+  const bool spatial = model::is_spatial(model.freedom);
+  for (std::size_t i = 1; i <= modes.size(); ++i) {
+    for (const char* axis : {"x", "y", "z"}) {
+      if (spatial || *axis != 'z') names.push_back(fmt::format("mode_{}_{}", i, axis));
+    }
+  }
+  results::Table table(names);
+  const std::vector<double> arc = model::arc_lengths(model);
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    std::vector<double> row = {arc[node]};
+    for (const solver::Mode& mode : modes) {
+      const Eigen::Vector3d d = model.displacement(mode.shape.data(), node);
+      row.insert(row.end(), d.data(), d.data() + (spatial ? 3 : 2));
+    }
+    table.append(row);
+  }
+  return table;
+}
+
+}  // namespace strandyn::span

@@ -1,0 +1,212 @@
+#include "strandyn/span/shaken_span.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "strandyn/span/damping.hpp"
+
+namespace strandyn::span {
+
+using Eigen::Index;
+using model::Unknown;
+
+namespace {
+
+/// Points that converge took ten at most; one that does not is tried again in smaller steps of amplitude.
+constexpr int most_iterations = 20;
+
+/// The node that swings widest, away from the ends where the span has three loops and more.
+solver::Place control_place(const SpanAtRest& span, const solver::Mode& mode, double margin) {
+  const model::Model& model = span.built.model;
+  const std::vector<double> arc = model::arc_lengths(model);
+  solver::Place best{.node = 0, .unknown = Unknown::y};
+  double largest = 0;
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    if (arc[node] < margin || arc[node] > arc.back() - margin) continue;
+    const double swing = std::abs(mode.shape(static_cast<Index>(*model.index(node, Unknown::y))));
+    if (swing <= largest) continue;
+    largest = swing;
+    best.node = node;
+  }
+  return best;
+}
+
+/// Samples of a trigonometric sum of the coefficients mean, cos 1, sin 1, ...; their largest less their smallest value,
+/// by the vertices of parabolas.
+double peak_to_peak(const Eigen::RowVectorXd& coefficients) {
+  constexpr int samples = 64;
+  std::array<double, samples> value{};
+  for (int j = 0; j < samples; ++j) {
+    const double angle = 2 * std::numbers::pi * j / samples;
+    for (Index a = 1; a < coefficients.size(); ++a) {
+      const double k = static_cast<double>((a + 1) / 2);
+      value[static_cast<std::size_t>(j)] += coefficients(a) * (a % 2 == 1 ? std::cos(k * angle) : std::sin(k * angle));
+    }
+  }
+  const auto vertex = [&](std::size_t i) {
+    const double before = value[(i + samples - 1) % samples], after = value[(i + 1) % samples];
+    const double bend = before - 2 * value[i] + after;
+    return bend == 0 ? value[i] : value[i] - (after - before) * (after - before) / (8 * bend);
+  };
+  const auto [low, high] = std::ranges::minmax_element(value);
+  return vertex(static_cast<std::size_t>(high - value.begin())) - vertex(static_cast<std::size_t>(low - value.begin()));
+}
+
+}  // namespace
+
+ShakenSpan::ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, double frequency,
+                       const ResponseOptions& options)
+    : span_(std::move(built)) {
+  span_.apply_static_loads();
+  set_proportional_damping(span_);
+  NumberedMode found = mode_near(span_, frequency);
+  mode_ = std::move(found.mode);
+  mode_number_ = found.number;
+  places_.emplace(span_.built.model, span_.built.loop_length(mode_.frequency));
+  setup_ = {.kind = shaker.moves ? solver::DriveKind::motion : solver::DriveKind::force,
+            .drive = {.node = shaker.node, .unknown = Unknown::y},
+            .control = control_place(span_, mode_, mode_number_ >= 3 ? span_.built.length / mode_number_ : 0)};
+  solver_.emplace(span_.system, span_.u, setup_,
+                  solver::PeriodicOptions{
+                      .harmonics = options.harmonics, .samples = options.samples, .max_iterations = most_iterations});
+}
+
+double ShakenSpan::antinode_amplitude(const solver::PeriodicState& state) const {
+  const Eigen::MatrixXd& x = state.harmonics;
+  Eigen::RowVectorXd coefficients(x.cols());
+  const auto read = [&](std::size_t place) {
+    for (Index a = 0; a < x.cols(); ++a) coefficients(a) = places_->at(x.col(a).data(), place);
+  };
+  std::vector<double> fundamental(places_->size());
+  for (std::size_t i = 0; i < fundamental.size(); ++i) {
+    fundamental[i] = std::hypot(places_->at(x.col(1).data(), i), places_->at(x.col(2).data(), i));
+  }
+  // The antinode is near a crest of the fundamental; the other harmonics are small beside it.
+  constexpr double near = 0.95;
+  const double crest = std::ranges::max(fundamental);
+  double largest = 0;
+  for (std::size_t i = 0; i < fundamental.size(); ++i) {
+    if (fundamental[i] < near * crest) continue;
+    read(i);
+    largest = std::max(largest, peak_to_peak(coefficients) / 2);
+  }
+  return largest;
+}
+
+double ShakenSpan::phase(const solver::PeriodicState& state) const {
+  const solver::Place& place = setup_.kind == solver::DriveKind::force ? setup_.drive : setup_.control;
+  const double behind = -std::arg(state.phasor(*span_.built.model.index(place.node, place.unknown)));
+  constexpr double turn = 2 * std::numbers::pi;
+  return behind - turn * std::floor(behind / turn + 0.25);
+}
+
+ResonanceAt ShakenSpan::from_mode(double control, const std::function<bool()>& stop) const {
+  ResonanceAt result;
+  for (const int parts : {1, 8}) {
+    if (stop && stop()) {
+      result.stopped = true;
+      return result;
+    }
+    std::vector<double> amplitudes;
+    for (int i = 1; i <= parts; ++i) amplitudes.push_back(control * i / parts);
+    for (const solver::PeriodicSolution& solution : solver_->backbone(amplitudes, mode_)) {
+      result.effort += solution.effort;
+      result.solution = solution;
+    }
+    if (result.solution.converged) break;
+  }
+  return result;
+}
+
+ResonanceAt ShakenSpan::resonance(double antinode_amplitude, const std::function<bool()>& stop) const {
+  // The control is a node of the mesh, the antinode lies beside it: their ratio hardly changes with amplitude.
+  constexpr double tolerance = 1e-5;
+  constexpr int most_passes = 6;
+  solver::PeriodicState unit = solver_->from_mode(mode_, 1);
+  ResonanceAt result = from_mode(antinode_amplitude / this->antinode_amplitude(unit), stop);
+  for (int pass = 0; pass < most_passes && !result.stopped && result.solution.converged; ++pass) {
+    result.antinode_amplitude = this->antinode_amplitude(result.solution.state);
+    const double ratio = antinode_amplitude / result.antinode_amplitude;
+    if (std::abs(ratio - 1) < tolerance) break;
+    if (stop && stop()) {
+      result.stopped = true;
+      break;
+    }
+    solver::PeriodicState start = result.solution.state;
+    start.harmonics *= ratio;
+    result.solution = solver_->resonance(ratio * result.solution.amplitude, start);
+    result.effort += result.solution.effort;
+  }
+  return result;
+}
+
+std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& solution,
+                                              const StrainRange& strains) const {
+  if (mode_number_ < 3) return std::nullopt;
+  const std::vector<double> arc = model::arc_lengths(span_.built.model);
+  const double half_loop = arc.back() / mode_number_ / 2;
+  std::vector<double> nodes;
+  for (const solver::LoopPoint& point : solver_->loop_points(solution.state)) {
+    const bool inner = point.position > half_loop && point.position < arc.back() - half_loop;
+    if (!point.antinode && inner) nodes.push_back(point.position);
+  }
+  if (nodes.size() < 2) return std::nullopt;
+  FreeSpan free{.from = nodes.front(), .to = nodes.back()};
+  double squares = 0, length = 0;
+  for (std::size_t p = 0; p < solution.sections.friction.size(); ++p) {
+    // Each section point stands for its part of the element.
+    const std::size_t e = p / beam::gauss_points;
+    const double part = (arc[e + 1] - arc[e]) / beam::gauss_points;
+    const double begin = arc[e] + static_cast<double>(p % beam::gauss_points) * part;
+    const double inside = std::min(begin + part, free.to) - std::max(begin, free.from);
+    if (inside <= 0) continue;
+    const double weight = span_.system.point_length(p) * inside / part;
+    if (solution.sections.friction[p] > 0) free.friction += weight * solution.sections.loop_work[p];
+    squares += weight * solution.sections.curvature_amplitude[p] * solution.sections.curvature_amplitude[p];
+    length += weight;
+    free.highest = std::max(free.highest, strains.curvature[p]);
+  }
+  free.curvature = std::sqrt(2 * squares / length);
+  return free;
+}
+
+StrainRange ShakenSpan::strains(const solver::PeriodicState& state) const {
+  using section::Component;
+  constexpr int samples = 64;
+  StrainRange range;
+  section::Field now = span_.system.committed_strains();
+  const std::size_t points = now.points();
+  std::vector<double> low(points, INFINITY), high(points, -INFINITY);
+  for (int j = 0; j < samples; ++j) {
+    system::Vector u = span_.u + state.harmonics.col(0);
+    for (Index a = 1; a < state.harmonics.cols(); ++a) {
+      const double angle = 2 * std::numbers::pi * j / samples * static_cast<double>((a + 1) / 2);
+      u += (a % 2 == 1 ? std::cos(angle) : std::sin(angle)) * state.harmonics.col(a);
+    }
+    span_.system.strains(u.data(), now);
+    double stretch = 0, length = 0;
+    for (std::size_t p = 0; p < points; ++p) {
+      stretch += span_.system.point_length(p) * now[Component::axial][p];
+      length += span_.system.point_length(p);
+      low[p] = std::min(low[p], now[Component::bending2][p]);
+      high[p] = std::max(high[p], now[Component::bending2][p]);
+    }
+    const double tension = span_.built.numbers.EA * stretch / length;
+    range.mean_tension += tension / samples;
+    range.highest_tension = std::max(range.highest_tension, tension);
+  }
+  for (std::size_t p = 0; p < points; ++p) range.curvature.push_back((high[p] - low[p]) / 2);
+  return range;
+}
+
+double friction_of(const solver::PeriodicSolution& solution) {
+  return solution.friction > 0 ? solution.loop_work : 0;
+}
+
+double losses_of(const solver::PeriodicSolution& solution) {
+  return friction_of(solution) + solution.viscous.total();
+}
+
+}  // namespace strandyn::span

@@ -1,0 +1,307 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <mutex>
+
+#include "entries.hpp"
+#include "outlook.hpp"
+#include "strandyn/core/side_by_side.hpp"
+#include "strandyn/section/return_map.hpp"
+#include "strandyn/self_damping/balance.hpp"
+#include "strandyn/self_damping/compare.hpp"
+#include "strandyn/self_damping/fit.hpp"
+#include "strandyn/self_damping/log.hpp"
+
+namespace strandyn::study {
+
+using casefile::DampingMethod;
+using casefile::Scene;
+using self_damping::Method;
+using self_damping::Point;
+using self_damping::PointLog;
+using self_damping::PointRow;
+using self_damping::Quadrature;
+
+namespace {
+
+using Methods = std::map<DampingMethod, std::unique_ptr<Method>>;
+
+/// The points that are left to do, on all cores; every one that ends is in the log at once.
+class March {
+ public:
+  March(const Scene& scene, const Hooks& hooks, const Methods& methods, const std::vector<Point>& points, PointLog& log)
+      : scene_(scene), hooks_(hooks), methods_(methods), points_(points), log_(log) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!log.rows().contains(i)) left_.push_back(i);
+    }
+  }
+
+  void run() {
+    tell();
+    side_by_side(left_.size(), [this](std::size_t i) { compute(left_[i]); });
+  }
+
+ private:
+  bool stop() {
+    const std::lock_guard lock(mutex_);
+    return hooks_.stop && hooks_.stop();
+  }
+
+  void compute(std::size_t i) {
+    if (stop()) return;
+    const self_damping::Watch watch = {.stop = [this] { return stop(); },
+                                       .tell =
+                                           [this](const std::string& words) {
+                                             const std::lock_guard lock(mutex_);
+                                             tell(", " + words);
+                                           }};
+    const std::optional<PointRow> row = compute_row(scene_, *methods_.at(points_[i].method), points_[i], watch);
+    if (!row) return;
+    const std::lock_guard lock(mutex_);
+    log_.add(i, *row);
+    tell();
+  }
+
+  void tell(const std::string& more = {}) const {
+    if (!hooks_.progress) return;
+    const std::size_t done = log_.rows().size();
+    hooks_.progress(static_cast<double>(done) / static_cast<double>(points_.size()),
+                    fmt::format("point {} of {}{}", done, points_.size(), more));
+  }
+
+  const Scene& scene_;
+  const Hooks& hooks_;
+  const Methods& methods_;
+  const std::vector<Point>& points_;
+  PointLog& log_;
+  std::vector<std::size_t> left_;
+  std::mutex mutex_;
+};
+
+struct StudySummary {
+  std::vector<PointRow> points;
+  self_damping::Fits fits;
+  std::optional<std::vector<self_damping::OnsetRow>> onsets{};
+  std::optional<std::vector<self_damping::ComparisonRow>> comparisons{};
+  std::optional<std::vector<self_damping::BalanceRow>> balances{};
+};
+template <class V>
+void members(V& v, StudySummary& s) {
+  v.list("points", s.points, {.what = "the points of the study"});
+  v.part(s.fits);
+  v.list("no_slip_below", s.onsets, {.what = "amplitudes below which no contact slips"});
+  v.list("comparisons", s.comparisons, {.what = "points that several methods have reached"});
+  v.list("energy_balance", s.balances, {.what = "how far a bare conductor vibrates in the wind"});
+}
+
+/// What `describe` tells of a study.
+struct StudyFacts {
+  std::size_t points = 0;
+  std::map<std::string, std::size_t> methods;
+  std::vector<double> tensions;
+  std::string mode_shape;
+};
+template <class V>
+void members(V& v, StudyFacts& f) {
+  v.value("points", f.points, {.what = "of the study"});
+  for (const auto& [method, count] : f.methods)
+    v.value(("points_" + method).c_str(), count, {.what = "by this method"});
+  v.value("tensions_N", f.tensions, {.what = "of all points"});
+  v.value("mode_shape", f.mode_shape, {.what = "that the quadrature goes over"});
+}
+
+/// points_<method>.csv, one line per point that has numbers, and its figure.
+void add_point_tables(const std::vector<PointRow>& rows, Outcome& outcome) {
+  for (const auto& [method, name] : choices<DampingMethod>) {
+    results::Table table({"frequency_Hz", "antinode_amplitude_m", "tension_N", "self_damping_W_per_m",
+                          "self_damping_free_span_W_per_m"});
+    for (const PointRow& row : rows) {
+      if (row.method != name || !row.has_numbers()) continue;
+      table.append(std::array{row.frequency, row.antinode_amplitude, row.tension, *row.self_damping,
+                              row.free_span.value_or(*row.self_damping)});
+    }
+    if (table.rows() == 0) continue;
+    const std::string file = fmt::format("points_{}.csv", name);
+    outcome.figures.push_back({.name = fmt::format("self_damping_{}", name),
+                               .title = fmt::format("Self-damping, {}", name),
+                               .table = file,
+                               .x = "antinode_amplitude_m",
+                               .y = {"self_damping_W_per_m"},
+                               .series = {"tension_N", "frequency_Hz"},
+                               .x_scale = "log",
+                               .y_scale = "log",
+                               .caption = "Dissipated power per metre of span against the antinode amplitude."});
+    outcome.shown.push_back({.title = fmt::format("Points by {}", name), .table = file, .columns = table.names()});
+    outcome.tables.push_back({.file = file, .table = std::move(table)});
+  }
+}
+
+/// bench_readings.csv: the four readings of each bench, side by side.
+void add_readings(const std::vector<PointRow>& rows, Outcome& outcome) {
+  results::Table table({"antinode_amplitude_m", "frequency_Hz", "tension_N", "ledger_W_per_m", "power_W_per_m",
+                        "iswr_W_per_m", "decay_W_per_m"});
+  for (const PointRow& row : rows) {
+    if (!row.bench || !row.bench->iswr || !row.bench->decay) continue;
+    table.append(std::array{row.antinode_amplitude, row.frequency, row.tension, row.bench->ledger.power,
+                            row.bench->power.power, row.bench->iswr->power, row.bench->decay->power});
+  }
+  if (table.rows() == 0) return;
+  outcome.shown.push_back(
+      {.title = "Readings of the test bench", .table = "bench_readings.csv", .columns = table.names()});
+  outcome.tables.push_back({.file = "bench_readings.csv", .table = std::move(table)});
+  outcome.figures.push_back({.name = "bench_readings",
+                             .title = "Readings of the test bench",
+                             .table = "bench_readings.csv",
+                             .x = "antinode_amplitude_m",
+                             .y = {"ledger_W_per_m", "power_W_per_m", "iswr_W_per_m", "decay_W_per_m"},
+                             .series = {"tension_N", "frequency_Hz"},
+                             .caption = "One vibration read in the four ways of the standards."});
+}
+
+void add_loss_table(const Quadrature& quadrature, Outcome& outcome) {
+  results::Table table({"tension_N", "curvature_per_m", "loss_J_per_m"});
+  for (const Quadrature::Table& entry : quadrature.tables()) {
+    outcome.cost.section_evaluations += entry.loss.effort().evaluations;
+    outcome.cost.section_sweeps += entry.loss.effort().sweeps;
+    for (std::size_t i = 0; i < entry.loss.amplitudes().size(); ++i) {
+      table.append(std::array{entry.tension, entry.loss.amplitudes()[i], entry.loss.losses()[i]});
+    }
+  }
+  if (table.rows() >= 2) {
+    outcome.figures.push_back({.name = "sectional_loss",
+                               .title = "Loss of a section per cycle",
+                               .table = "sectional_loss.csv",
+                               .x = "curvature_per_m",
+                               .y = {"loss_J_per_m"},
+                               .series = {"tension_N"},
+                               .x_scale = "log",
+                               .y_scale = "log",
+                               .caption = "What friction takes from a metre in one symmetric cycle of curvature."});
+  }
+  outcome.tables.push_back({.file = "sectional_loss.csv", .table = std::move(table)});
+}
+
+void add_balances(const std::vector<self_damping::BalanceRow>& rows, Outcome& outcome) {
+  results::Table table = self_damping::table_of_balances(rows);
+  if (table.rows() >= 2) {
+    outcome.figures.push_back({.name = "energy_balance",
+                               .title = "Vibration of the bare conductor in the wind",
+                               .table = "energy_balance.csv",
+                               .x = "frequency_Hz",
+                               .y = {"amplitude_over_diameter"},
+                               .series = {"balance", "tension_N"},
+                               .caption = "Amplitude over diameter at which the power of the wind is what is lost."});
+  }
+  outcome.tables.push_back({.file = "energy_balance.csv", .table = std::move(table)});
+}
+
+bool needs_quadrature(const casefile::SelfDampingAnalysis& keys) {
+  return keys.takes(DampingMethod::quadrature) ||
+         std::ranges::any_of(keys.energy_balances, [](const casefile::EnergyBalanceKeys& balance) {
+           return balance.self_damping == casefile::BalancedBy::quadrature;
+         });
+}
+
+class SelfDamping final : public Analysis {
+ public:
+  explicit SelfDamping(const Scene& scene) : scene_(scene), points_(self_damping::points_of(scene)) {
+    const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
+    for (const Point& point : points_) make(point.method);
+    if (needs_quadrature(keys)) make(DampingMethod::quadrature);
+    for (const auto& [word, method] : methods_) expected_ += method->expected(points_by(word));
+  }
+
+  Outlook outlook() override {
+    Outlook outlook;
+    StudyFacts facts{.points = points_.size(),
+                     .methods = {},
+                     .tensions = self_damping::distinct_tensions(points_),
+                     .mode_shape = std::string(name_of(scene_.as<casefile::SelfDampingAnalysis>().mode_shape))};
+    for (const Point& point : points_) ++facts.methods[std::string(name_of(point.method))];
+    outlook.tell("study", facts);
+    outlook.evaluations_least = expected_.least;
+    outlook.evaluations_most = expected_.most;
+    outlook.seconds_per_evaluation = scene_.section.law == casefile::Law::compliant ? 1.2e-5 : 5e-7;
+    outlook.memory = memory_in_use();
+    return outlook;
+  }
+
+  void run(const Hooks& hooks, Outcome& outcome) override;
+
+ private:
+  void make(DampingMethod word) {
+    if (!methods_.contains(word)) methods_[word] = self_damping::make_method(word, scene_);
+  }
+  std::vector<Point> points_by(DampingMethod word) const {
+    if (word == DampingMethod::quadrature) return points_;  // it picks its own, and those of the balances
+    std::vector<Point> own;
+    std::ranges::copy_if(points_, std::back_inserter(own), [&](const Point& point) { return point.method == word; });
+    return own;
+  }
+  void sum_up(const std::vector<PointRow>& rows, bool finished, Outcome& outcome) const;
+
+  const Scene& scene_;
+  std::vector<Point> points_;
+  Methods methods_;
+  self_damping::Expected expected_;
+};
+
+void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
+  PointLog log(hooks.folder, self_damping::study_identity(scene_, section::vector_target().name));
+  for (const auto& [word, method] : methods_) method->begin(points_);
+  March(scene_, hooks, methods_, points_, log).run();
+
+  std::vector<PointRow> rows;
+  std::size_t failed = 0;
+  for (const auto& [number, row] : log.rows()) {
+    rows.push_back(row);
+    failed += row.failed ? 1 : 0;
+    // From the rows: a study that was interrupted counts like one that was not.
+    outcome.cost.section_evaluations += row.section_evaluations.value_or(0);
+    outcome.cost.section_sweeps += row.section_sweeps.value_or(0);
+  }
+  const bool finished = rows.size() == points_.size();
+  sum_up(rows, finished, outcome);
+  if (!finished) {
+    outcome.exit_code = ExitCode::interrupted;
+    outcome.message =
+        fmt::format("stopped after {} of {} points; the same run goes on from there", rows.size(), points_.size());
+    return;
+  }
+  log.finish();
+  if (failed == 0) return;
+  outcome.exit_code = ExitCode::not_converged;
+  outcome.message = fmt::format("{} of {} points failed; each says why in its row", failed, points_.size());
+}
+
+void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outcome& outcome) const {
+  StudySummary summary{.points = rows, .fits = self_damping::fit_points(scene_, rows)};
+  const Quadrature* quadrature = nullptr;
+  if (methods_.contains(DampingMethod::quadrature)) {
+    quadrature = &dynamic_cast<const Quadrature&>(*methods_.at(DampingMethod::quadrature));
+    auto onsets = self_damping::onsets_of(scene_, *quadrature, points_);
+    if (!onsets.empty()) summary.onsets = std::move(onsets);
+    self_damping::Comparison comparison = self_damping::compare_methods(*quadrature, rows);
+    if (!comparison.rows.empty()) summary.comparisons = std::move(comparison.rows);
+    if (comparison.warning) outcome.warnings.push_back(*comparison.warning);
+  }
+  if (finished && !scene_.as<casefile::SelfDampingAnalysis>().energy_balances.empty()) {
+    self_damping::Balances balances = self_damping::energy_balances(
+        {.scene = scene_, .points = points_, .quadrature = quadrature, .fit = summary.fits.law});
+    for (std::string& warning : balances.warnings) outcome.warnings.push_back(std::move(warning));
+    summary.balances = std::move(balances.rows);
+  }
+  outcome.tell(summary);
+  add_point_tables(rows, outcome);
+  add_readings(rows, outcome);
+  if (quadrature) add_loss_table(*quadrature, outcome);
+  if (summary.balances) add_balances(*summary.balances, outcome);
+}
+
+}  // namespace
+
+std::unique_ptr<Analysis> prepare_self_damping(const Scene& scene) {
+  return std::make_unique<SelfDamping>(scene);
+}
+
+}  // namespace strandyn::study

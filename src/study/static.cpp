@@ -1,0 +1,272 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "entries.hpp"
+#include "outlook.hpp"
+#include "share.hpp"
+#include "slip_map.hpp"
+#include "strandyn/solver/static/equilibrium.hpp"
+
+namespace strandyn::study {
+
+using casefile::Scene;
+
+namespace {
+
+/// What the steps of a static analysis are told by: the first load that grows, or else the first motion.
+class Follower {
+ public:
+  explicit Follower(const span::SpanAtRest& span) : span_(span), rest_(span.u) {
+    for (const model::Load& load : span.built.model.loads) {
+      if (!load.dead && !load_) load_ = &load;
+    }
+    if (!load_ && !span.built.model.motions.empty()) motion_ = &span.built.model.motions.front();
+    if (load_) {
+      turns_ = load_->force.isZero(0);
+      const Eigen::Vector3d vector = turns_ ? load_->moment : load_->force;
+      size_ = vector.norm();
+      if (size_ > 0) direction_ = vector / size_;
+    } else if (motion_) {
+      turns_ = model::is_rotation(motion_->unknown);
+      direction_ = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(motion_->unknown) % 3);
+    }
+  }
+
+  std::size_t node() const { return load_ ? load_->node : motion_ ? motion_->node : 0; }
+  const Eigen::Vector3d& direction() const { return direction_; }
+  bool turns() const { return turns_; }
+
+  /// [N] or [N m]: the load, or what the moved support does.
+  double load(const system::Vector& u, double factor) const {
+    if (load_) return factor * size_;
+    if (!motion_) return 0;
+    system::Vector force = span_.system.make_vector();
+    span_.system.internal_force(u.data(), force.data());
+    return along(force);
+  }
+  /// [m] or [rad] from the state of rest, along the load.
+  double displacement(const system::Vector& u) const { return along(u - rest_); }
+
+ private:
+  double along(const system::Vector& vector) const {
+    const model::Model& model = span_.built.model;
+    return direction_.dot(turns_ ? model.rotation(vector.data(), node()) : model.displacement(vector.data(), node()));
+  }
+
+  const span::SpanAtRest& span_;
+  system::Vector rest_;
+  const model::Load* load_ = nullptr;
+  const model::PrescribedMotion* motion_ = nullptr;
+  bool turns_ = false;
+  double size_ = 0;
+  Eigen::Vector3d direction_ = Eigen::Vector3d::UnitY();
+};
+
+/// One converged step; a load that is a moment turns, and has names of its own.
+struct StepRow {
+  bool turns = false;
+  double load = 0, displacement = 0, load_factor = 0;
+  std::size_t sections_slipping = 0;
+};
+template <class V>
+void members(V& v, StepRow& s) {
+  if (s.turns) {
+    v.value("load_N_m", s.load, {.what = "the moment"});
+    v.value("rotation_rad", s.displacement, {.what = "of the loaded point, along it"});
+  } else {
+    v.value("load_N", s.load, {.what = "the load, or what the moved support does"});
+    v.value("displacement_m", s.displacement, {.what = "of the loaded point, along it"});
+  }
+  v.value("load_factor", s.load_factor, {.what = "of all loads that grow"});
+  v.value("sections_slipping", s.sections_slipping, {.what = "section points that dissipate in the step"});
+}
+
+/// A maximum or minimum of the load along the path.
+struct LimitRow {
+  bool turns = false;
+  double load = 0, displacement = 0;
+};
+template <class V>
+void members(V& v, LimitRow& l) {
+  v.value(l.turns ? "load_N_m" : "load_N", l.load, {.what = "the largest or smallest load"});
+  v.value(l.turns ? "rotation_rad" : "displacement_m", l.displacement, {.what = "where it is reached"});
+}
+
+struct StaticSummary {
+  std::optional<span::Rest> rest{};
+  std::vector<StepRow> steps{};
+  std::optional<double> stiffness{}, first_slip{};
+  bool turns = false, stable = false;
+  std::optional<std::vector<LimitRow>> limit_points{};
+  span::Components right_end{};
+  span::Reactions reactions{};
+};
+template <class V>
+void members(V& v, StaticSummary& s) {
+  v.record("rest", s.rest, {.what = "how a hanging span hangs"});
+  v.list("steps", s.steps, {.what = "the path"});
+  v.value(s.turns ? "initial_stiffness_N_m_per_rad" : "initial_stiffness_N_per_m", s.stiffness,
+          {.what = "load over displacement of the first step", .shown = "initial stiffness"});
+  v.value(s.turns ? "first_slip_load_N_m" : "first_slip_load_N", s.first_slip,
+          {.what = "load of the first step in which a wire slips", .shown = "load of first slip"});
+  v.value("stable", s.stable, {.what = "whether the last state is a stable equilibrium"});
+  v.list("limit_points", s.limit_points, {.what = "maxima and minima of the load, by parabolas through three steps"});
+  v.value("right_end_m", s.right_end, {.what = "where the right end is at last"});
+  v.record("reactions", s.reactions, {.what = "of the supports at last"});
+}
+
+/// Each by the parabola through its three nearest steps; the path begins at nothing.
+std::vector<LimitRow> limit_points(std::vector<StepRow> path, bool turns) {
+  path.insert(path.begin(), StepRow{});
+  std::vector<LimitRow> list;
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const double before = path[i].load - path[i - 1].load;
+    const double after = path[i + 1].load - path[i].load;
+    if (before * after >= 0) continue;
+    // Load over the number of the step, at i + s.
+    const double slope = (before + after) / 2;
+    const double bend = after - before;
+    const double s = -slope / bend;
+    list.push_back(
+        {.turns = turns,
+         .load = path[i].load - slope * slope / (2 * bend),
+         .displacement = path[i].displacement + s * (path[i + 1].displacement - path[i - 1].displacement) / 2});
+  }
+  return list;
+}
+
+solver::EquilibriumOptions options_of(const Scene& scene, const Follower& follower) {
+  using casefile::Control;
+  solver::EquilibriumOptions options{.steps = scene.as<casefile::StaticAnalysis>().steps};
+  if (scene.static_.control == Control::displacement) {
+    options.control = solver::Control::displacement;
+    options.point = {.node = follower.node(), .direction = follower.direction(), .target = scene.static_.displacement};
+  } else if (scene.static_.control == Control::arc_length) {
+    options.control = solver::Control::arc_length;
+    options.arc_step = scene.static_.arc_step.value_or(0);
+    options.max_load_factor = scene.static_.max_load_factor;
+  }
+  return options;
+}
+
+class Static final : public Analysis {
+ public:
+  explicit Static(const Scene& scene) : scene_(scene), built_(build::build_span(scene)) {
+    const model::Model& model = built_.model;
+    const bool loaded = std::ranges::any_of(model.loads, [](const model::Load& load) { return !load.dead; });
+    if (!loaded && model.motions.empty() && !scene.span->gravity) {
+      refuse(scene.source, "analysis.type", "there is nothing that acts",
+             "give a [[load]] of type \"static-force\", a [[motion]] of type \"static-motion\", or gravity = true");
+    }
+    check_slip_map(scene);
+    if (scene.static_.control == casefile::Control::displacement) check_led_point();
+  }
+
+  Outlook outlook() override {
+    Outlook outlook;
+    add_span(built_, outlook);
+    const span::SpanAtRest span(built_);
+    // Three to nine iterations a step, two questions to the law each; a path that is cut back takes more.
+    const double steps = scene_.as<casefile::StaticAnalysis>().steps;
+    expect(outlook, 7 * steps * static_cast<double>(built_.section_points()), 3);
+    outlook.seconds_per_evaluation = 2 * evaluation_time(span);
+    return outlook;
+  }
+
+  void run(const Hooks& hooks, Outcome& outcome) override;
+
+ private:
+  void check_led_point() const {
+    const system::System system(built_.model);
+    for (const model::Load& load : built_.model.loads) {
+      if (load.dead) continue;
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const auto i = built_.model.index(load.node, static_cast<model::Unknown>(axis));
+        if (load.force(axis) == 0 || (i && !system.is_held(*i))) continue;
+        refuse(scene_.source, "static.control", "a support holds the point whose displacement is to be led",
+               "move the first static-force load away from the support");
+      }
+      return;
+    }
+  }
+
+  const Scene& scene_;
+  build::BuiltSpan built_;
+};
+
+void Static::run(const Hooks& hooks, Outcome& outcome) {
+  span::SpanAtRest span(built_);
+  StaticSummary summary{.rest = span::rest_of(span)};
+  const Follower follower(span);
+  summary.turns = follower.turns();
+  SlipMap slip_map(scene_, span, follower.node());
+  solver::EquilibriumOptions options = options_of(scene_, follower);
+  if (options.control == solver::Control::displacement) {
+    // The target counts from the state of rest.
+    options.point.target +=
+        options.point.direction.dot(span.built.model.displacement(span.u.data(), options.point.node));
+  }
+  options.stop = hooks.stop;
+  double factor = 0;
+  options.watch = [&](const solver::EquilibriumStep& step, const system::Vector& u, double done) {
+    factor = step.load_factor;
+    summary.steps.push_back({.turns = follower.turns(),
+                             .load = follower.load(u, factor),
+                             .displacement = follower.displacement(u),
+                             .load_factor = factor,
+                             .sections_slipping = step.sections_slipping});
+    const StepRow& row = summary.steps.back();
+    if (step.sections_slipping > 0 && !summary.first_slip) summary.first_slip = row.load;
+    slip_map.watch(row.load);
+    if (hooks.progress) {
+      hooks.progress(done, fmt::format("step {}, load factor {:.4g}", summary.steps.size(), factor));
+    }
+  };
+  const solver::EquilibriumSummary found = solver::find_equilibrium(span.system, span.u, options);
+
+  if (!summary.steps.empty() && summary.steps.front().displacement != 0) {
+    summary.stiffness = summary.steps.front().load / summary.steps.front().displacement;
+  }
+  summary.stable = solver::is_stable(span.system, span.u, factor);
+  if (!summary.stable) {
+    outcome.warnings.emplace_back(
+        "the last state is an unstable equilibrium: beyond a limit or a buckling load the span would leave it");
+  }
+  if (options.control != solver::Control::load) summary.limit_points = limit_points(summary.steps, follower.turns());
+  summary.right_end = span::right_end_of(span);
+  summary.reactions = span::reactions_of(span, factor);
+  outcome.tell(summary);
+  outcome.tables.push_back({.file = "shape.csv", .table = span::shape_of(span)});
+  slip_map.add_to(outcome);
+  outcome.cost.steps = found.steps.size();
+  add_effort(span.system, outcome.cost);
+  results::Table table(results::ColumnReader::of(StepRow{.turns = follower.turns()}).names);
+  for (const StepRow& row : summary.steps) table.append(results::ColumnReader::of(row).values);
+  const std::vector<std::string> names = table.names();
+  outcome.tables.push_back({.file = "steps.csv", .table = std::move(table)});
+  outcome.figures.push_back({.name = "load_displacement",
+                             .title = "Load and displacement",
+                             .table = "steps.csv",
+                             .x = names[1],
+                             .y = {names[0]},
+                             .caption = "Load against the displacement of the loaded point."});
+  outcome.figures.push_back({.name = "shape",
+                             .title = "The span in its last state",
+                             .table = "shape.csv",
+                             .x = "x_m",
+                             .y = {"y_m"},
+                             .caption = "Places of the nodes under the last load."});
+  outcome.shown.push_back({.title = "The path", .table = "steps.csv", .columns = names});
+  if (!found.stopped) return;
+  outcome.exit_code = ExitCode::interrupted;
+  outcome.message = fmt::format("interrupted after {} steps; what was computed is kept", found.steps.size());
+}
+
+}  // namespace
+
+std::unique_ptr<Analysis> prepare_static(const Scene& scene) {
+  return std::make_unique<Static>(scene);
+}
+
+}  // namespace strandyn::study

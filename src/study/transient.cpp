@@ -1,0 +1,319 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "entries.hpp"
+#include "outlook.hpp"
+#include "plan.hpp"
+#include "share.hpp"
+#include "strandyn/observe/histories.hpp"
+#include "strandyn/observe/ledger.hpp"
+
+namespace strandyn::study {
+
+using casefile::Scene;
+using span::Components;
+
+namespace {
+
+/// Does anything act at time 0 beside the weight? A chain without supports has no stiffness to look for a rest with.
+bool is_loaded_at_start(const model::Model& model) {
+  const auto acts = [](const auto& source) { return model::evaluate(source.history, 0) != 0; };
+  return std::ranges::any_of(model.loads, [&](const model::Load& load) { return !load.dead && acts(load); }) ||
+         std::ranges::any_of(model.motions, acts);
+}
+
+/// The nodes whose motion is written: where the case says, or the loaded ones and the right end.
+std::vector<std::size_t> probe_nodes(const Scene& scene, const model::Model& model) {
+  std::vector<double> places = scene.as<casefile::TransientAnalysis>().probes;
+  if (places.empty()) {
+    for (const casefile::Load& load : scene.loads) {
+      if (load.at) places.push_back(*load.at);
+    }
+    places.push_back(scene.span->total_length());
+  }
+  std::vector<std::size_t> nodes;
+  for (double place : places) {
+    const std::size_t node = model::nearest_node(model, place);
+    if (std::ranges::count(nodes, node) == 0) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+Components components(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// One row of energies.csv: energies of the state, works and losses since the start.
+struct EnergyRow {
+  double time = 0;
+  double kinetic = 0, elastic = 0, external_work = 0, friction = 0, viscous = 0, numerical = 0, quadrature_error = 0;
+};
+template <class V>
+void members(V& v, EnergyRow& e) {
+  v.value("t_s", e.time, {.what = "the end of the step"});
+  v.value("kinetic_J", e.kinetic, {.what = "kinetic energy"});
+  v.value("elastic_J", e.elastic, {.what = "elastic energy above that of the initial state"});
+  v.value("external_work_J", e.external_work, {.what = "work of the loads and of moved supports"});
+  v.value("friction_dissipation_J", e.friction, {.what = "friction between the wires"});
+  v.value("viscous_dissipation_J", e.viscous, {.what = "all viscous damping"});
+  v.value("numerical_dissipation_J", e.numerical, {.what = "what the other terms leave over"});
+  v.value("quadrature_error_J", e.quadrature_error, {.what = "contained in the numerical part with a minus"});
+}
+
+/// `energy` of the summary: the last row, and what belongs to the whole run.
+struct EnergySummary {
+  EnergyRow end;
+  double initial_kinetic = 0, largest_kinetic = 0;
+  std::optional<double> numerical_share{};
+};
+template <class V>
+void members(V& v, EnergySummary& e) {
+  v.part(e.end);
+  v.value("initial_kinetic_J", e.initial_kinetic, {.what = "at the start"});
+  v.value("largest_kinetic_J", e.largest_kinetic, {.what = "of all steps"});
+  v.value("numerical_share", e.numerical_share,
+          {.what = "|numerical| over friction and viscous damping", .shown = "numerical share"});
+}
+
+struct ProbeRange {
+  Components min{}, max{}, end{};
+};
+template <class V>
+void members(V& v, ProbeRange& r) {
+  v.value("min", r.min, {.what = "the lowest, by component"});
+  v.value("max", r.max, {.what = "the highest"});
+  v.value("end", r.end, {.what = "at the end"});
+}
+struct ProbeRow {
+  double arc = 0;
+  ProbeRange displacement;
+  std::optional<double> frequency{};
+};
+template <class V>
+void members(V& v, ProbeRow& p) {
+  v.value("arc_m", p.arc, {.what = "where it is, along the span"});
+  v.record("displacement_m", p.displacement, {.what = "from the initial state"});
+  v.value("frequency_Hz", p.frequency, {.what = "mean over whole cycles of the direction that moves most"});
+}
+
+struct MomentumRow {
+  Components linear{}, centre_velocity{}, impulse{};
+  double largest_deviation = 0;
+};
+template <class V>
+void members(V& v, MomentumRow& m) {
+  v.value("linear_kg_m_per_s", m.linear, {.what = "momentum at the end"});
+  v.value("centre_velocity_m_per_s", m.centre_velocity, {.what = "of the centre of mass"});
+  v.value("impulse_N_s", m.impulse, {.what = "of all that acts from outside"});
+  v.value("largest_deviation_N_s", m.largest_deviation, {.what = "of the change of momentum from the impulse"});
+}
+
+struct TransientSummary {
+  std::optional<span::Rest> rest{};
+  PlanRow plan{};
+  double end_time = 0;
+  std::vector<ProbeRow> probes{};
+  MomentumRow momentum{};
+  EnergySummary energy{};
+};
+template <class V>
+void members(V& v, TransientSummary& s) {
+  v.record("rest", s.rest, {.what = "how a hanging span hangs"});
+  v.record("plan", s.plan, {.what = "how it was integrated"});
+  v.value("end_time_s", s.end_time, {.what = "that was reached"});
+  v.list("probes", s.probes, {.what = "the points whose motion was written"});
+  v.record("momentum", s.momentum, {.what = "of the chain, against the impulse"});
+  v.record("energy", s.energy, {.what = "the ledger at the end"});
+}
+
+/// One row per step.
+class EnergyHistory final : public observe::Observer {
+ public:
+  void begin(const system::System& system, const observe::StepRecord& initial) override {
+    ledger_.begin(system, initial);
+    append(initial.time);
+  }
+  void step(const system::System& system, const observe::StepRecord& record) override {
+    ledger_.step(system, record);
+    append(record.time);
+  }
+  bool wants_forces() const override { return true; }
+  EnergySummary at_end() const {
+    const observe::Account& a = ledger_.now();
+    EnergySummary out{.end = rows_.back(), .initial_kinetic = a.initial_kinetic};
+    out.largest_kinetic = std::ranges::max(rows_, {}, &EnergyRow::kinetic).kinetic;
+    const double lost = a.friction + a.viscous.total();
+    if (lost > 0) out.numerical_share = std::abs(a.numerical()) / lost;
+    return out;
+  }
+  const std::vector<EnergyRow>& rows() const { return rows_; }
+
+ private:
+  void append(double time) {
+    const observe::Account& a = ledger_.now();
+    rows_.push_back({.time = time,
+                     .kinetic = a.kinetic,
+                     .elastic = a.elastic,
+                     .external_work = a.external_work,
+                     .friction = a.friction,
+                     .viscous = a.viscous.total(),
+                     .numerical = a.numerical(),
+                     .quadrature_error = a.quadrature_error});
+  }
+
+  observe::Ledger ledger_;
+  std::vector<EnergyRow> rows_;
+};
+
+class ProgressReport final : public observe::Observer {
+ public:
+  ProgressReport(double duration, const Hooks& hooks) : duration_(duration), hooks_(hooks) {}
+  void begin(const system::System&, const observe::StepRecord&) override {}
+  void step(const system::System&, const observe::StepRecord& record) override {
+    if (!hooks_.progress) return;
+    hooks_.progress(record.time / duration_, fmt::format("t = {:.4g} s of {:.4g} s", record.time, duration_));
+  }
+
+ private:
+  double duration_;
+  const Hooks& hooks_;
+};
+
+std::vector<ProbeRow> probe_rows(const observe::ProbeHistories& probes, const std::vector<double>& arc) {
+  std::vector<ProbeRow> rows;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    rows.push_back({.arc = arc[probes.node(i)],
+                    .displacement = {.min = components(probes.lowest(i)),
+                                     .max = components(probes.highest(i)),
+                                     .end = components(probes.displacements(i).back())},
+                    .frequency = probes.frequency(i)});
+  }
+  return rows;
+}
+
+/// histories.csv, and the direction that moves most of each probe as a figure.
+void add_histories(const observe::ProbeHistories& probes, Outcome& outcome) {
+  std::vector<std::string> names = {"t_s"};
+  std::vector<std::string> drawn;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    for (const char* axis : {"x", "y", "z"}) names.push_back(fmt::format("probe_{}_{}_m", i + 1, axis));
+    Eigen::Index axis = 0;
+    (probes.highest(i) - probes.lowest(i)).maxCoeff(&axis);
+    drawn.push_back(names[names.size() - 3 + static_cast<std::size_t>(axis)]);
+  }
+  results::Table table(names);
+  std::vector<double> row;
+  for (std::size_t t = 0; t < probes.times().size(); ++t) {
+    row = {probes.times()[t]};
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+      const Eigen::Vector3d& d = probes.displacements(i)[t];
+      row.insert(row.end(), d.begin(), d.end());
+    }
+    table.append(row);
+  }
+  outcome.tables.push_back({.file = "histories.csv", .table = std::move(table)});
+  outcome.figures.push_back({.name = "histories",
+                             .title = "Motion of the probes",
+                             .table = "histories.csv",
+                             .x = "t_s",
+                             .y = drawn,
+                             .caption = "Displacement of each probe from the initial state, along the direction in "
+                                        "which it moves most."});
+}
+
+MomentumRow row_of(const observe::MomentumObserver& momentum) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (momentum.mass()(axis) > 0) centre(axis) = momentum.momentum()(axis) / momentum.mass()(axis);
+  }
+  return {.linear = components(momentum.momentum()),
+          .centre_velocity = components(centre),
+          .impulse = components(momentum.impulse()),
+          .largest_deviation = momentum.largest_deviation()};
+}
+
+class Transient final : public Analysis {
+ public:
+  explicit Transient(const Scene& scene)
+      : scene_(scene), integration_(scene), built_(build::build_span(scene)), ask_({.counts_cycles = false}) {
+    if (scene.integrator.checkpoint_every) {
+      refuse(scene.source, "integrator.checkpoint_every_s", "a transient analysis writes no checkpoints",
+             "leave the key out");
+    }
+    check_plan(scene, built_, ask_);
+  }
+
+  Outlook outlook() override {
+    Outlook outlook;
+    add_span(built_, outlook);
+    span::SpanAtRest span(built_);
+    if (is_loaded_at_start(span.built.model)) span.apply_static_loads();
+    const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
+    add_steps(scene_.as<casefile::TransientAnalysis>().duration / plan.step, plan, integration_, span, outlook);
+    return outlook;
+  }
+
+  void run(const Hooks& hooks, Outcome& outcome) override {
+    span::SpanAtRest span(built_);
+    TransientSummary summary{.rest = span::rest_of(span)};
+    if (is_loaded_at_start(span.built.model)) span.apply_static_loads();
+    const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
+    summary.plan = study::row_of(plan);
+    if (hooks.announce) hooks.announce(words_of(plan, integration_));
+
+    const double duration = scene_.as<casefile::TransientAnalysis>().duration;
+    observe::ProbeHistories probes(probe_nodes(scene_, span.built.model));
+    observe::MomentumObserver momentum;
+    EnergyHistory energy;
+    ProgressReport progress(duration, hooks);
+    observe::Observer* const observers[] = {&probes, &momentum, &energy, &progress};
+    solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
+    options.stop = hooks.stop;
+    const solver::IntegratorSummary run =
+        solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, integration_.method(), observers);
+
+    add_integration(run, span.system, outcome);
+    summary.end_time = run.end_time;
+    summary.probes = probe_rows(probes, model::arc_lengths(span.built.model));
+    summary.momentum = row_of(momentum);
+    summary.energy = energy.at_end();
+    outcome.tell(summary);
+    add_histories(probes, outcome);
+    outcome.tables.push_back({.file = "energies.csv", .table = results::table_of(energy.rows())});
+    outcome.figures.push_back({.name = "energies",
+                               .title = "Energies",
+                               .table = "energies.csv",
+                               .x = "t_s",
+                               .y = {"kinetic_J", "elastic_J", "external_work_J", "friction_dissipation_J",
+                                     "viscous_dissipation_J", "numerical_dissipation_J"},
+                               .caption = "Energies of the state; works and losses since the start."});
+    if (run.ending == solver::Ending::failed) {
+      outcome.exit_code = ExitCode::not_converged;
+      outcome.message = run.failure;
+    } else if (run.ending == solver::Ending::stopped) {
+      outcome.exit_code = ExitCode::interrupted;
+      outcome.message = fmt::format("interrupted at t = {:.6g} s; what was computed is kept", run.end_time);
+    }
+    check_numerical_share(scene_, integration_, plan,
+                          {.share = summary.energy.numerical_share,
+                           .numerical = summary.energy.end.numerical,
+                           .quadrature_error = summary.energy.end.quadrature_error},
+                          outcome);
+  }
+
+ private:
+  const Scene& scene_;
+  build::Integration integration_;
+  build::BuiltSpan built_;
+  PlanAsk ask_;
+};
+
+}  // namespace
+
+std::unique_ptr<Analysis> prepare_transient(const Scene& scene) {
+  return std::make_unique<Transient>(scene);
+}
+
+}  // namespace strandyn::study

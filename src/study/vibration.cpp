@@ -1,0 +1,290 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "checkpoint.hpp"
+#include "cycle_log.hpp"
+#include "entries.hpp"
+#include "outlook.hpp"
+#include "plan.hpp"
+#include "profile.hpp"
+#include "share.hpp"
+#include "strandyn/analysis/steady.hpp"
+#include "strandyn/observe/cycles.hpp"
+
+namespace strandyn::study {
+
+using casefile::Scene;
+using observe::Cycle;
+
+namespace {
+
+constexpr std::size_t most_cycles_until_steady = 5000;
+
+/// The mean of the last cycles and what it says of the damping.
+struct SteadyRow {
+  std::size_t cycles = 0;
+  double frequency = 0;
+  std::vector<std::pair<std::string, double>> mean;  ///< of the members of a cycle
+  double self_damping = 0, loss_factor = 0, damping_ratio = 0;
+  std::optional<double> numerical_share{};
+  bool is_steady = false;
+  double steps_per_cycle = 0;
+  std::optional<double> predicted{}, measured{}, expected{};
+};
+template <class V>
+void members(V& v, SteadyRow& s) {
+  v.value("cycles", s.cycles, {.what = "over how many the means were taken"});
+  v.value("frequency_Hz", s.frequency, {.what = "that a cycle refers to"});
+  for (auto& [key, x] : s.mean) {
+    const bool amplitude = key == "antinode_amplitude_m";
+    const bool friction = key == "friction_dissipation_J";
+    v.value(key.c_str(), x,
+            {.what = "mean of the cycles' member; the time is that of the end",
+             .shown = amplitude  ? "antinode amplitude"
+                      : friction ? "friction per cycle"
+                                 : nullptr});
+  }
+  v.value("self_damping_W_per_m", s.self_damping,
+          {.what = "friction and viscous damping over the length", .shown = "self-damping"});
+  v.value("loss_factor", s.loss_factor, {.what = "twice the damping ratio"});
+  v.value("damping_ratio", s.damping_ratio, {.what = "of the antinode's velocity", .shown = "damping ratio"});
+  v.value("numerical_share", s.numerical_share,
+          {.what = "|numerical| over friction and viscous damping", .shown = "numerical share"});
+  v.value("is_steady", s.is_steady,
+          {.what = "like amplitudes, and what comes in is what is lost, over the last 20 cycles"});
+  v.value("steps_per_cycle", s.steps_per_cycle, {.what = "of the integration"});
+  v.value("predicted_numerical_damping_ratio", s.predicted, {.what = "by the formula of the integrator"});
+  v.value("measured_numerical_damping_ratio", s.measured, {.what = "by the ledger"});
+  v.value("expected_damping_ratio", s.expected, {.what = "for which the step was chosen"});
+}
+
+/// decay and forced: what the summary has beside the cycles.
+struct VibrationSummary {
+  std::optional<span::Rest> rest{};
+  PlanRow plan{};
+  std::optional<SteadyRow> steady{};
+};
+template <class V>
+void members(V& v, VibrationSummary& s) {
+  v.record("rest", s.rest, {.what = "how a hanging span hangs"});
+  v.record("plan", s.plan, {.what = "how it was integrated"});
+  v.record("steady", s.steady, {.what = "means of the last cycles"});
+}
+
+std::vector<std::pair<std::string, double>> mean_of(const std::vector<Cycle>& cycles, std::size_t last) {
+  std::vector<std::pair<std::string, double>> mean;
+  for (const std::string& name : results::ColumnReader::of(Cycle{}).names) mean.emplace_back(name, 0.0);
+  for (std::size_t i = cycles.size() - last; i < cycles.size(); ++i) {
+    const std::vector<double> values = results::ColumnReader::of(cycles[i]).values;
+    for (std::size_t k = 0; k < values.size(); ++k) mean[k].second += values[k];
+  }
+  for (auto& [name, x] : mean) x /= static_cast<double>(last);
+  mean.front().second = cycles.back().end_time;
+  return mean;
+}
+
+/// Twenty cycles of like amplitude, in which what comes in is what is lost.
+bool is_steady(const std::vector<Cycle>& cycles) {
+  constexpr std::size_t watched = analysis::cycles_that_show_steadiness;
+  if (cycles.size() < watched) return false;
+  std::vector<analysis::CycleFlow> flows;
+  for (std::size_t i = cycles.size() - watched; i < cycles.size(); ++i) {
+    const Cycle& c = cycles[i];
+    flows.push_back(
+        {.amplitude = c.antinode_amplitude, .in = c.external_work, .lost = c.friction + c.viscous + c.numerical});
+  }
+  return analysis::is_steady(flows);
+}
+
+SteadyRow steady_row(const VibrationPlan& plan, const Scene& scene, const std::vector<Cycle>& cycles) {
+  std::vector<analysis::CycleLosses> losses;
+  for (const Cycle& c : cycles) losses.push_back({c.antinode_amplitude, c.friction, c.viscous, c.numerical});
+  const analysis::SteadyState s =
+      analysis::steady_state(losses, {.frequency = plan.frequency,
+                                      .length = scene.span->total_length(),
+                                      .mass_per_length = *casefile::mass_per_length(scene)});
+  SteadyRow row{.cycles = s.cycles,
+                .frequency = plan.frequency,
+                .mean = mean_of(cycles, s.cycles),
+                .self_damping = s.self_damping,
+                .loss_factor = s.loss_factor,
+                .damping_ratio = s.damping_ratio,
+                .numerical_share = s.numerical_share,
+                .is_steady = is_steady(cycles),
+                .steps_per_cycle = plan.steps_per_cycle(),
+                .predicted = plan.numerical_damping_ratio,
+                .expected = plan.expected_damping_ratio};
+  double energy = 0, numerical = 0;
+  for (std::size_t i = cycles.size() - s.cycles; i < cycles.size(); ++i) {
+    energy += cycles[i].kinetic + cycles[i].elastic;
+    numerical += cycles[i].numerical;
+  }
+  if (energy > 0) row.measured = numerical / (4 * std::numbers::pi * energy);
+  return row;
+}
+
+/// Tells how far the run is.
+class ProgressReport final : public observe::Observer {
+ public:
+  ProgressReport(const VibrationPlan& plan, const Hooks& hooks, const observe::CycleObserver& cycles)
+      : plan_(plan), hooks_(hooks), cycles_(cycles) {}
+  void begin(const system::System&, const observe::StepRecord&) override {}
+  void archive(Archive&) override {}
+  void step(const system::System&, const observe::StepRecord& record) override {
+    if (!hooks_.progress) return;
+    const double end = static_cast<double>(plan_.cycles) / plan_.frequency;
+    const double amplitude = cycles_.cycles().empty() ? 0 : cycles_.cycles().back().antinode_amplitude;
+    hooks_.progress(record.time / end, fmt::format("t = {:.3f} s, cycle {} of {}, antinode {:.3g} mm", record.time,
+                                                   cycles_.count(), plan_.cycles, 1e3 * amplitude));
+  }
+
+ private:
+  const VibrationPlan& plan_;
+  const Hooks& hooks_;
+  const observe::CycleObserver& cycles_;
+};
+
+/// A wave wants some elements: with fewer than four a loop, frequencies and losses are the mesh's own.
+void warn_of_coarse_mesh(const span::SpanAtRest& span, double loop_length, Outcome& outcome) {
+  constexpr double least_per_loop = 4;
+  const double longest = span::longest_element(span);
+  if (longest * least_per_loop <= loop_length) return;
+  outcome.warnings.push_back(fmt::format(
+      "the longest element, {:.3g} m, is more than 1/4 of a loop ({:.3g} m): give more [span] elements, or \"auto\"",
+      longest, loop_length));
+}
+
+void add_figures(Outcome& outcome) {
+  outcome.figures.push_back(
+      {.name = "energy_per_cycle",
+       .title = "Energy per cycle",
+       .table = "cycles.csv",
+       .x = "cycle",
+       .y = {"external_work_J", "friction_dissipation_J", "viscous_dissipation_J", "numerical_dissipation_J"},
+       .caption = "Where the work of a cycle goes. The numerical part is what the ledger leaves "
+                  "over: the error of the time integration, and no physics."});
+  outcome.figures.push_back(
+      {.name = "amplitude",
+       .title = "Antinode amplitude",
+       .table = "cycles.csv",
+       .x = "cycle",
+       .y = {"antinode_amplitude_m"},
+       .caption = "Half of peak to peak over a cycle, at the largest antinode away from the ends."});
+  outcome.shown.push_back(
+      {.title = "Energy of each cycle",
+       .table = "cycles.csv",
+       .columns = {"cycle", "t_s", "antinode_amplitude_m", "external_work_J", "viscous_dissipation_J",
+                   "friction_dissipation_J", "numerical_dissipation_J", "elements_slipping"}});
+}
+
+/// A decay, or a forced vibration until a number of cycles or a steady state.
+class Vibration final : public Analysis {
+ public:
+  Vibration(const Scene& scene, PlanAsk ask)
+      : scene_(scene), ask_(ask), integration_(scene), built_(build::build_span(scene)) {
+    check_plan(scene, built_, ask_);
+  }
+
+  Outlook outlook() override {
+    Outlook outlook;
+    add_span(built_, outlook);
+    span::SpanAtRest span(built_);
+    span.apply_static_loads();
+    const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
+    add_vibration(plan, integration_, span, outlook);
+    return outlook;
+  }
+
+  void run(const Hooks& hooks, Outcome& outcome) override;
+
+ private:
+  const Scene& scene_;
+  PlanAsk ask_;
+  build::Integration integration_;
+  build::BuiltSpan built_;
+};
+
+void Vibration::run(const Hooks& hooks, Outcome& outcome) {
+  CheckpointFile checkpoint(scene_, hooks);
+  span::SpanAtRest span(built_);
+  VibrationSummary summary{.rest = span::rest_of(span)};
+  span.apply_static_loads();
+  const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
+  summary.plan = row_of(plan);
+  if (hooks.announce) hooks.announce(words_of(plan, integration_));
+
+  const double loop_length = span.built.loop_length(plan.frequency);
+  warn_of_coarse_mesh(span, loop_length, outcome);
+  CycleLog log(hooks.folder);
+  observe::CycleObserver cycles({.period = 1 / plan.frequency,
+                                 .loop_length = loop_length,
+                                 .most = 2 * analysis::cycles_that_show_steadiness,
+                                 .each = [&](const Cycle& cycle) { log.add(cycle); }});
+  ProgressReport progress(plan, hooks, cycles);
+  observe::Observer* const observers[] = {&cycles, &log, &progress};
+  bool interrupted = false;
+  bool steady = false;
+  std::size_t judged = 0;
+  const auto stop = [&] {
+    if (plan.until_steady && cycles.count() > judged) {
+      judged = cycles.count();
+      steady = judged >= 2 * analysis::cycles_that_show_steadiness && is_steady(cycles.cycles());
+    }
+    interrupted = !steady && hooks.stop && hooks.stop();  // a steady run has come to its end
+    return interrupted || steady;
+  };
+  solver::IntegratorOptions options =
+      integration_.options(plan.step, static_cast<double>(plan.cycles) / plan.frequency, plan.drives);
+  options.stop = stop;
+  options.checkpoints = checkpoint.checkpoints([&] { return interrupted; });
+  const solver::IntegratorSummary run =
+      solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, integration_.method(), observers);
+
+  add_integration(run, span.system, outcome);
+  if (cycles.count() > 0) summary.steady = steady_row(plan, scene_, cycles.cycles());
+  outcome.tell(summary);
+  log.add_to(outcome);
+  add_figures(outcome);
+  add_profile(cycles.profile(span.system), outcome);
+  outcome.ended_early = interrupted || run.ending == solver::Ending::failed;
+  if (run.ending == solver::Ending::failed) {
+    outcome.exit_code = ExitCode::not_converged;
+    outcome.message = run.failure;
+  } else if (interrupted) {
+    outcome.exit_code = ExitCode::interrupted;
+    outcome.message = fmt::format("interrupted at t = {:.6g} s after {} whole cycles; what was computed is kept",
+                                  run.end_time, cycles.count());
+  } else if (plan.until_steady && !steady) {
+    outcome.exit_code = ExitCode::not_converged;
+    outcome.message =
+        fmt::format("not steady after {} cycles; give [analysis] cycles, or a stronger damping", cycles.count());
+  }
+  if (!summary.steady) return;
+  ShareAccount account{.share = summary.steady->numerical_share, .cycles = cycles.count()};
+  for (const auto& [name, x] : summary.steady->mean) {
+    if (name == "numerical_dissipation_J") account.numerical = x;
+    if (name == "quadrature_error_J") account.quadrature_error = x;
+  }
+  check_numerical_share(scene_, integration_, plan, account, outcome);
+}
+
+}  // namespace
+
+std::unique_ptr<Analysis> prepare_decay(const Scene& scene) {
+  const auto& decay = scene.as<casefile::DecayAnalysis>();
+  return std::make_unique<Vibration>(scene, PlanAsk{.mode = decay.mode,
+                                                    .antinode_amplitude = decay.antinode_amplitude,
+                                                    .cycles = static_cast<std::size_t>(decay.cycles)});
+}
+
+std::unique_ptr<Analysis> prepare_forced(const Scene& scene) {
+  const auto& forced = scene.as<casefile::ForcedAnalysis>();
+  return std::make_unique<Vibration>(
+      scene, PlanAsk{.cycles = forced.cycles ? static_cast<std::size_t>(*forced.cycles) : most_cycles_until_steady,
+                     .until_steady = !forced.cycles.has_value()});
+}
+
+}  // namespace strandyn::study
