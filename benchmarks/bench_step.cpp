@@ -78,9 +78,8 @@ void print_shares(const std::string& law, const std::string& dimension, const st
   observe::CycleObserver observer({.period = 1 / frequency, .loop_length = built.length / 12});
   observe::Observer* const observers[] = {&observer};
   const solver::InitialMotion initial{.u = u, .v = system.make_vector()};
-  const solver::IntegratorOptions options{.step = 1 / (200 * frequency), .end_time = cycles / frequency,
-                                          .stop = {},
-                                          .drives = {{.frequency = frequency}}};
+  const solver::IntegratorOptions options{
+      .step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}, .drives = {{.frequency = frequency}}};
   system.stopwatch().enabled = true;
   const auto start = std::chrono::steady_clock::now();
   const solver::TimeMethod chosen = scene.integrator.method == casefile::Method::ida

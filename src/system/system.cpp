@@ -64,7 +64,8 @@ void System::held_values(At at, double* u) const {
     if (held_[i]) u[i] = 0;
   }
   for (std::size_t m = 0; m < moved_.size(); ++m) {
-    u[moved_[m]] += at.part * model_.motions[m].amplitude * model::evaluate(model_.motions[m].history, at.time, at.drives);
+    u[moved_[m]] +=
+        at.part * model_.motions[m].amplitude * model::evaluate(model_.motions[m].history, at.time, at.drives);
   }
 }
 

@@ -31,7 +31,7 @@ CycleObserver watch(Vibration& vibration, std::size_t mode, const Decay& decay) 
   CycleObserver observer({.period = vibration.period(), .loop_length = 30 / static_cast<double>(mode)});
   observe::Observer* const observers[] = {&observer};
   const auto summary = integrate(vibration.system, vibration.start(decay.amplitude),
-                                     vibration.options(decay.steps_per_cycle, decay.cycles), solver::Ida{}, observers);
+                                 vibration.options(decay.steps_per_cycle, decay.cycles), solver::Ida{}, observers);
   CHECK(summary.ending == solver::Ending::finished);
   CHECK(summary.order_one_steps == 0);
   CHECK(observer.cycles().size() == static_cast<std::size_t>(decay.cycles));
@@ -160,7 +160,8 @@ TEST_CASE("forced vibration: at resonance the force brings in what drag takes, a
   CycleObserver observer({.period = vibration.period(), .loop_length = 10});
   observe::Observer* const observers[] = {&observer};
   // zeta = 3.3 %: after 60 cycles exp(-2 pi zeta 60) = 4e-6 of the start is left.
-  integrate(vibration.system, {.u = vibration.rest, .v = vibration.rest}, vibration.options(200, 60), solver::Ida{}, observers);
+  integrate(vibration.system, {.u = vibration.rest, .v = vibration.rest}, vibration.options(200, 60), solver::Ida{},
+            observers);
   const Cycle& last = observer.cycles().back();
   check_close(last.external_work, last.viscous + last.numerical, {.relative = 1e-4});
   CHECK(std::abs(last.numerical) < 1e-3 * last.viscous);

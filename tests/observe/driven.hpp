@@ -60,7 +60,15 @@ class Driven {
     const system::Accepted accepted = system.commit(u_.data());
     external_ = internal_ = system.make_vector();
     system.forces({.u = u_.data(), .v = v_.data(), .a = a_.data()}, {.time = time}, external_, internal_);
-    return {.time = time, .step = step, .order = 2, .u = u_, .v = v_, .a = a_, .external = external_, .internal = internal_, .accepted = accepted};
+    return {.time = time,
+            .step = step,
+            .order = 2,
+            .u = u_,
+            .v = v_,
+            .a = a_,
+            .external = external_,
+            .internal = internal_,
+            .accepted = accepted};
   }
 
   system::Vector shape_, u_, v_, a_, external_, internal_;

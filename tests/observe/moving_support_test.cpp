@@ -91,9 +91,9 @@ TEST_CASE("moving support: a string driven at its end swings as the exact one an
     constexpr double cycles = 20;
     Watch watch(place(model, 12, Unknown::y), (cycles - 1) / frequency);
     observe::Observer* const observers[] = {&watch};
-    const auto summary =
-        solver::integrate(system, {.u = zeros(model), .v = zeros(model)},
-                              {.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}}, solver::Ida{}, observers);
+    const auto summary = solver::integrate(system, {.u = zeros(model), .v = zeros(model)},
+                                           {.step = 1 / (200 * frequency), .end_time = cycles / frequency, .stop = {}},
+                                           solver::Ida{}, observers);
     REQUIRE(summary.ending == solver::Ending::finished);
     CHECK(summary.order_one_steps == 0);
 

@@ -105,7 +105,8 @@ class System {
   void begin(const ConstVectorRef& u);
 
   /// r = M v' + g + C v + f_int - f_ext for all unknowns. At held ones, whose own equation is another, it is what the
-  /// support does; at all others it is zero where the equation of motion holds. A state at rest has no inertia and drag.
+  /// support does; at all others it is zero where the equation of motion holds. A state at rest has no inertia and
+  /// drag.
   void residual(const State& state, At at, double* r) const;
   /// The same and K = d(f_int - f_ext)/du, the law asked once.
   void residual(const State& state, At at, double* r, Matrix& K) const;

@@ -1,5 +1,3 @@
-#include "strandyn/solver/time/integrator.hpp"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "solver/time/integrator_battery.hpp"
 #include "strandyn/core/error.hpp"
 #include "strandyn/section/multilinear.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn;

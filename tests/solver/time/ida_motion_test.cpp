@@ -102,7 +102,7 @@ TEST_CASE("ida: a load with corners in its table gives a free body exactly its i
     Momentum momentum;
     observe::Observer* const observers[] = {&momentum};
     const auto summary = solver::integrate(system, {.u = zeros(model), .v = zeros(model)},
-                                               {.step = 2e-5, .end_time = 0.04, .stop = {}}, solver::Ida{}, observers);
+                                           {.step = 2e-5, .end_time = 0.04, .stop = {}}, solver::Ida{}, observers);
     REQUIRE(summary.ending == solver::Ending::finished);
     CHECK(summary.order_one_steps == 0);
     CHECK(momentum.corner_met);
@@ -126,7 +126,7 @@ TEST_CASE("ida: a free beam in space turns many times and loses no more than the
     Turns turns(axis);
     observe::Observer* const observers[] = {&turns};
     const auto summary = solver::integrate(system, {.u = zeros(model), .v = v},
-                                               {.step = 1 / steps, .end_time = 5, .stop = {}}, solver::Ida{}, observers);
+                                           {.step = 1 / steps, .end_time = 5, .stop = {}}, solver::Ida{}, observers);
     REQUIRE(summary.ending == solver::Ending::finished);
     CHECK(summary.order_one_steps == 0);
     const double theta = omega / steps;

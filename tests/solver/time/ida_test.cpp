@@ -1,5 +1,3 @@
-#include "strandyn/solver/time/integrator.hpp"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "solver/vibration.hpp"
 #include "strandyn/core/error.hpp"
+#include "strandyn/solver/time/integrator.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn;
@@ -191,7 +190,7 @@ TEST_CASE("ida: a harmonic force drives the span at its own frequency from rest"
   observe::Observer* const observers[] = {&recorder};
   // A quarter of a period: the force is at its peak.
   integrate(system, {.u = vibration.rest, .v = vibration.rest},
-                {.step = 1 / (frequency * 4000), .end_time = 0.25 / frequency, .stop = {}}, Ida{}, observers);
+            {.step = 1 / (frequency * 4000), .end_time = 0.25 / frequency, .stop = {}}, Ida{}, observers);
   // The start from rest leaves a swing of (f/f_1) of the static deflection, damped by the coarse step.
   check_close(recorder.u(31), deflected(31), {.relative = 0.03});
 }
