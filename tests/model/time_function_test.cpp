@@ -31,3 +31,23 @@ TEST_CASE("time function: a table is straight between its points and constant ou
   CHECK(evaluate(table, 9) == -20.0);
   CHECK(evaluate(Tabulated{.time = {3}, .value = {7}}, 0) == 7.0);
 }
+
+TEST_CASE("time function: a driven one is amplitude times the harmonic of its drive, and rests without one") {
+  const Drive drives[] = {{.frequency = 7}, {.frequency = 4, .amplitude = 3, .phase = 0.3}};
+  const Harmonic harmonic{.frequency = 4, .phase = 0.3};
+  const Driven driven{.drive = 1};
+  for (const double t : {0.0, 0.01, 0.37}) {
+    CHECK(evaluate(driven, t, drives) == 3 * evaluate(harmonic, t));
+    CHECK(rate(driven, t, drives) == 3 * rate(harmonic, t));
+  }
+  CHECK(evaluate(Driven{.drive = 2}, 0.01, drives) == 0.0);
+  CHECK(evaluate(driven, 0.01) == 0.0);
+  CHECK(rate(driven, 0.01) == 0.0);
+}
+
+TEST_CASE("time function: only a table of few rows has corners") {
+  CHECK(corners(Tabulated{.time = {1, 2, 4}, .value = {0, 1, 0}}) == std::vector<double>{1, 2, 4});
+  const std::vector<double> signal(51, 0.0);
+  CHECK(corners(Tabulated{.time = signal, .value = signal}).empty());
+  CHECK(corners(Harmonic{.frequency = 4}).empty());
+}

@@ -132,7 +132,7 @@ Steady transient(Vibration& v, const PeriodicSetup& setup, const PeriodicSolutio
   observe::Observer* const observers[] = {&last};
   const auto before = v.system.effort().evaluations;
   integrate(v.system, start, {.step = period / 200, .end_time = cycles * period, .stop = {}},
-            GeneralizedAlpha{.rho_inf = 0.9}, observers);
+            solver::GeneralizedAlpha{.rho_inf = 0.9}, observers);
   last.steady.evaluations_per_cycle = static_cast<double>(v.system.effort().evaluations - before) / cycles;
   v.model.loads.clear();
   v.system.begin(v.rest);

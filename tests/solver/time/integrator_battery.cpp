@@ -253,6 +253,35 @@ void check_held(const Integrator& integrator) {
   }
 }
 
+void check_drives(const Integrator& integrator) {
+  const model::Drive drives[] = {{.frequency = 5}, {.frequency = 8, .phase = 0.4}};
+  const auto shaken = [&](const model::TimeFunction& motion, const model::TimeFunction& load,
+                          std::vector<model::Drive> of_the_run) {
+    model::Model model = coarse_span(0, model::MassMatrix::consistent);
+    model.motions = {{.node = 0, .unknown = model::Unknown::y, .amplitude = 0.02, .history = motion}};
+    model.loads = {{.node = 2, .force = {0, 50, 0}, .history = load}};
+    System system(model);
+    const Vector rest = zeros(model);
+    system.begin(rest);
+    Trace trace;
+    Observer* const observers[] = {&trace};
+    integrator(system, {.u = rest, .v = rest}, {.step = 1e-3, .end_time = 0.1, .drives = std::move(of_the_run)},
+               observers);
+    return trace;
+  };
+  const auto harmonic = [](const model::Drive& d) {
+    return model::Harmonic{.frequency = d.frequency, .phase = d.phase};
+  };
+  const Trace fixed = shaken(harmonic(drives[0]), harmonic(drives[1]), {});
+  const Trace driven = shaken(model::Driven{.drive = 0}, model::Driven{.drive = 1}, {drives[0], drives[1]});
+  CHECK(fixed.time == driven.time);
+  CHECK(fixed.u == driven.u);
+  CHECK(fixed.v == driven.v);
+  CHECK(fixed.u.back().norm() > 1e-3);
+  const Trace still = shaken(model::Driven{.drive = 0}, model::Driven{.drive = 1}, {});
+  CHECK(still.u.back().norm() == 0.0);
+}
+
 void check_endings(const Integrator& integrator) {
   const auto decay = [&](const LawPointer& law, const auto& change, Trace& trace) {
     Vibration vibration(law, {.length = 10, .elements = 12}, 2);
@@ -300,6 +329,7 @@ void check_integrator(const Integrator& integrator, double order_within) {
   check_time(integrator);
   check_balance(integrator);
   check_held(integrator);
+  check_drives(integrator);
   check_endings(integrator);
 }
 

@@ -45,6 +45,8 @@ void check_time(const Integrator& integrator);
 void check_balance(const Integrator& integrator);
 /// Held unknowns are where their motions say, at the speed that these have.
 void check_held(const Integrator& integrator);
+/// A load and a motion that follow drives of the run move as those of a fixed history do, to the bit.
+void check_drives(const Integrator& integrator);
 /// The same run gives the same bits; it ends when it is told to; a failure names time and nodes; an exception of the
 /// law comes out as it was thrown.
 void check_endings(const Integrator& integrator);
