@@ -2,6 +2,7 @@
 /// \file What SUNDIALS 6 and 7 call by different names.
 
 #include <ida/ida.h>
+#include <nvector/nvector_serial.h>
 #include <sundials/sundials_config.h>
 #include <sundials/sundials_context.h>
 #include <sundials/sundials_nonlinearsolver.h>
