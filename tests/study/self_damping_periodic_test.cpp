@@ -81,8 +81,8 @@ TEST_CASE("a force and a moving support lead the same span to the same loss") {
                point))["points"][0];
   REQUIRE(moved.contains("drive_motion_m"));
   CHECK(moved["drive_motion_m"] > 0.0);
-  // The free span does not know what shakes it, but for the field near the force, a quarter into the first loop, and for
-  // antinodes that are not all alike: measured 3.6 %, and 8.3 % with the force in the middle of the loop.
+  // The free span does not know what shakes it, but for the field near the force, a quarter into the first loop, and
+  // for antinodes that are not all alike: measured 3.6 %, and 8.3 % with the force in the middle of the loop.
   CHECK(share(moved["self_damping_free_span_W_per_m"], pushed["self_damping_free_span_W_per_m"]) < 0.05);
 }
 
