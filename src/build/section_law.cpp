@@ -118,8 +118,7 @@ std::shared_ptr<const section::Law> build_law(const casefile::Scene& scene, sect
                                               const conductor::Strand* strand) {
   const LawRow& row = row_of(scene.section.law);
   if (!row.bends_in_space && dimension == section::Dimension::spatial) {
-    casefile::refuse(scene.source, "section.law",
-                     fmt::format("\"{}\" bends in one plane only", name_of(row.law)),
+    casefile::refuse(scene.source, "section.law", fmt::format("\"{}\" bends in one plane only", name_of(row.law)),
                      "use return-map for twist or for bending about two axes");
   }
   if (!strand && scene.conductor) strand = &scene.conductor->strand;

@@ -255,7 +255,7 @@ std::optional<Plot> plot_of(const Figure& figure, const Table& table) {
   } else {
     add_lines(figure, table, rows, plot);
   }
-  if (points_shown(plot) < 2) return std::nullopt;
+  if (points_shown(plot) == 0) return std::nullopt;
   return plot;
 }
 

@@ -147,7 +147,7 @@ Expected Quadrature::expected(const std::vector<Point>& all) const {
       expected += {.least = 65, .most = 130};
       continue;
     }
-    constexpr double per_knot = 160;
+    const double per_knot = scene_.section.law == casefile::Law::compliant ? 640 : 160;  // its loops close in cycles
     const double decades = std::log10(highest / lowest) + 1.5;
     expected += {.least = 12 * decades * per_knot, .most = 110 * decades * per_knot};
   }

@@ -121,6 +121,7 @@ void add_point_tables(const std::vector<PointRow>& rows, Outcome& outcome) {
                               row.free_span.value_or(*row.self_damping)});
     }
     if (table.rows() == 0) continue;
+    const bool any_loss = std::ranges::any_of(table.column("self_damping_W_per_m"), [](double w) { return w > 0; });
     const std::string file = fmt::format("points_{}.csv", name);
     outcome.figures.push_back({.name = fmt::format("self_damping_{}", name),
                                .title = fmt::format("Self-damping, {}", name),
@@ -129,7 +130,7 @@ void add_point_tables(const std::vector<PointRow>& rows, Outcome& outcome) {
                                .y = {"self_damping_W_per_m"},
                                .series = {"tension_N", "frequency_Hz"},
                                .x_scale = "log",
-                               .y_scale = "log",
+                               .y_scale = any_loss ? "log" : "linear",
                                .caption = "Dissipated power per metre of span against the antinode amplitude."});
     outcome.shown.push_back({.title = fmt::format("Points by {}", name), .table = file, .columns = table.names()});
     outcome.tables.push_back({.file = file, .table = std::move(table)});

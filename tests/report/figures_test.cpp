@@ -169,12 +169,15 @@ TEST_CASE("figures: a log scale drops points that are not positive") {
   CHECK_FALSE(plot_of(f, nothing).has_value());
 }
 
-TEST_CASE("figures: only the asked range of x is drawn, and less than two points are no figure") {
+TEST_CASE("figures: only the asked range of x is drawn, one point with a marker, none not at all") {
   const Table table = table_of_rows({"x_m", "y_m"}, {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
   auto f = figure("x_m", {"y_m"});
   f.x_range = {{1, 2}};
   CHECK(plot(f, table).series[0].x == std::vector{1.0, 2.0});
   f.x_range = {{1, 1.5}};
+  CHECK(plot(f, table).series[0].x == std::vector{1.0});
+  CHECK(plot(f, table).series[0].markers);
+  f.x_range = {{1.2, 1.5}};
   CHECK_FALSE(plot_of(f, table).has_value());
   CHECK_FALSE(plot_of(figure("x_m", {"y_m"}), Table({"x_m", "y_m"})).has_value());
 }
