@@ -1,5 +1,5 @@
 #pragma once
-/// \file A second road to the hysteretic reference beam: its own elements, law and trapezoidal rule, in the plane, with
+/// \file A second way to the hysteretic reference beam: its own elements, law and trapezoidal rule, in the plane, with
 /// nothing of the program's but the block solver.
 ///
 /// Two choices that other beam codes make differently are open here: how many sections an element has, and whether the

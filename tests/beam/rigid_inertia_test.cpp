@@ -47,7 +47,7 @@ RotationMotion after(const RotationMotion& m, double t) {
           .acceleration = m.acceleration};
 }
 
-/// Rotations by the library's other road.
+/// Rotations by the library's other way.
 Eigen::Matrix3d turned_frame(const Eigen::Vector3d& psi) {
   return Eigen::AngleAxisd(psi.norm(), psi.normalized()).toRotationMatrix();
 }

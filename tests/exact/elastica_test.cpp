@@ -35,7 +35,7 @@ Place along(const Place& at, const Place& by, double h) {
           .w = at.w + h * by.w};
 }
 
-/// The other road: EI phi'' = -P cos phi from the free tip back to the clamp, by Runge-Kutta.
+/// The other way: EI phi'' = -P cos phi from the free tip back to the clamp, by Runge-Kutta.
 Place march_from_tip(double tip_slope, double load) {
   constexpr int steps = 2000;
   const double h = -1.0 / steps;

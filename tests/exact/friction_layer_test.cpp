@@ -21,7 +21,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr FrictionLayer layer{.EI_c = 600, .chi_cr = 0.01};
 
-/// The other road: elastic-perfectly-plastic elements at many angles, driven along a path of the curvature vector.
+/// The other way: elastic-perfectly-plastic elements at many angles, driven along a path of the curvature vector.
 class Elements {
  public:
   explicit Elements(int count) : q_(count, 0.0) {}

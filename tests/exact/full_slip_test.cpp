@@ -70,7 +70,7 @@ TEST_CASE("full slip: a slight friction gives the layers' constant limits") {
   check_close(full_slip(test::curlew({.friction = 0}), 0.15 * rated_strength).M_inf, 0, {});
 }
 
-TEST_CASE("full slip: a contact that opens or closes on the way is the same by both roads") {
+TEST_CASE("full slip: a contact that opens or closes on the way is the same both ways") {
   // Only the outermost layer has residual forces and the strand is compressed: there are tensions at which the inner
   // contact of layer 3 (then of layer 2) closes only where bending pulls its wires, or opens where it presses them.
   auto strand = test::curlew({.residual_forces = false});

@@ -139,7 +139,7 @@ TEST_CASE("rotation: slopes lose no digits near zero") {
 }
 
 TEST_CASE("rotation: series and closed forms meet where one hands over to the other") {
-  // At an angle of 3 the coefficients change their road; all together make these matrices.
+  // At an angle of 3 the coefficients are found another way; all together make these matrices.
   const Vector3d axis = Vector3d(2, -1, 2) / 3;
   const Vector3d m(1, 0.5, -2);
   const Vector3d below = 2.999999999999999 * axis;

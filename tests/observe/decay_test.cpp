@@ -104,7 +104,7 @@ TEST_CASE("decay: below the threshold of slip there is no friction at all and ab
   }
 }
 
-TEST_CASE("decay: the second road to the losses differs by an error that falls with the square of the step") {
+TEST_CASE("decay: the second way to the losses differs by an error that falls with the square of the step") {
   const auto mismatch = [](double steps) {
     Vibration vibration(test::return_map(), {}, 12);
     const CycleObserver observer = watch(vibration, 12, {.amplitude = 1e-2, .steps_per_cycle = steps, .cycles = 2});

@@ -97,7 +97,7 @@ TEST_CASE("ledger: elastic energy counts from the start although the span is und
   CHECK(at_peak > 0.5 * test::curlew_tension * slope2 * 1.2);
 }
 
-TEST_CASE("ledger: internal work is a second road to stored and dissipated energy, with an error of the step squared") {
+TEST_CASE("ledger: internal work is a second way to stored and dissipated energy, with an error of the step squared") {
   const auto mismatch = [](int steps) {
     model::Model model = curlew_span(test::return_map(), {.length = 6, .elements = 10, .graded = false});
     Driven span(std::move(model), test::sine_shape(2),

@@ -179,7 +179,7 @@ TEST_CASE("masing: closed inner loops leave no trace but their loss") {
 }
 
 TEST_CASE("masing: it is the sum of its elements, one elastic-plastic spring for every angle of every layer") {
-  // The second road: the multilinear law with the springs of 1000 angles, N^-2 away from the closed forms. Measured:
+  // The second way: the multilinear law with the springs of 1000 angles, N^-2 away from the closed forms. Measured:
   // 1e-6 of the scale for the moment, 4e-6 for the energies of a step.
   const conductor::Strand strand = curlew();
   const auto constants = conductor::section_constants(strand);

@@ -1,4 +1,4 @@
-// The second road: the planar return map against the plain one of plain_return_map.hpp, which shares no formula with
+// The second way: the planar return map against the plain one of plain_return_map.hpp, which shares no formula with
 // it.
 #include <hwy/targets.h>
 

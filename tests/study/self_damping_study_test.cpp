@@ -76,7 +76,7 @@ TEST_CASE("Curlew at 20 Hz and a fifth of its strength loses some milliwatts per
   check_close(points[1]["self_damping_W_per_m"], 15.4e-3, {.relative = 0.01});
 }
 
-TEST_CASE("the road of the closed form gives the published values of Aster 570") {
+TEST_CASE("the closed form gives the published values of Aster 570") {
   const ordered_json points = summary_of(casefile::read_scene_text(
       "[conductor]\ncatalogue = \"aster-570\"\n[section]\nlaw = \"return-map\"\n"
       "[analysis]\ntype = \"self-damping\"\nmethod = \"foti-2018\"\nfrequencies_Hz = 20\ntensions_rts = 0.15\n"

@@ -36,7 +36,7 @@ TEST_CASE("the ledger of a forced run closes cycle by cycle") {
   CHECK(s["cycles"].size() == 30);
 }
 
-TEST_CASE("the nodal road to elastic energy and friction agrees with the sections' own") {
+TEST_CASE("the nodal way to elastic energy and friction agrees with the sections' own") {
   const auto s = test::run(span_scene(shaker, {"analysis.cycles=60"})).summary;
   double nodal = 0;
   double sections = s["cycles"].back()["elastic_J"];

@@ -6,7 +6,7 @@
 ///     friction       = sum D,       quadrature error = sum E_quad           from `commit`
 ///     viscous        = sum h (v_n . c v_n + v_n+1 . c v_n+1)/2
 ///     numerical      = external - change of (kinetic + elastic) - friction - viscous
-///     internal work  = sum (f_int,n + f_int,n+1)/2 . (u_n+1 - u_n)          second road to elastic + friction
+///     internal work  = sum (f_int,n + f_int,n+1)/2 . (u_n+1 - u_n)          second way to elastic + friction
 /// The ledger closes by definition; E_quad is contained in the numerical part, with a minus. The internal work shares
 /// no code with stored and dissipated energies: internal - (change of elastic + friction - E_quad) is the error of the
 /// trapezoidal rule over the curved motion of the chain, and falls with the square of the step.

@@ -58,7 +58,7 @@ double frequency_error(const SpanOptions& span, std::size_t count) {
   return worst;
 }
 
-/// The other road: all frequencies [Hz] from dense matrices of the unknowns that are free, massless ones condensed.
+/// The other way: all frequencies [Hz] from dense matrices of the unknowns that are free, massless ones condensed.
 Vector dense_frequencies(const System& system, const Vector& u) {
   system::Matrix K = system.make_matrix();
   system::Matrix M = system.make_matrix();

@@ -241,7 +241,7 @@ TEST_CASE("periodic: slip makes the span softer and the drive brings what the lo
     CHECK(s.converged);
     CHECK(std::abs(s.imbalance()) < 1e-6);
     CHECK(s.friction > 0);
-    // Two roads: area of the loops and the law's own booking, which differ by O(1/N^2). Measured: below 0.3 %.
+    // Two ways: area of the loops and the law's own booking, which differ by O(1/N^2). Measured: below 0.3 %.
     check_close(s.loop_work, s.friction, {.relative = 5e-3});
     if (before > 0) CHECK(s.state.frequency < before);
     before = s.state.frequency;
