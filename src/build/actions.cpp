@@ -41,32 +41,12 @@ std::size_t node_at(const casefile::Scene& scene, const BuiltSpan& built, double
   return node;
 }
 
-model::TimeFunction table(const std::vector<std::array<double, 2>>& history) {
-  model::Tabulated table;
-  for (const auto& [time, value] : history) {
-    table.time.push_back(time);
-    table.value.push_back(value);
-  }
-  return table;
-}
-
-/// A new drive of the span, at the frequency that the load or the motion asks for.
+/// That of the case, or a new drive of the span at the frequency that a harmonic load or motion asks for.
 template <class Source>
-model::TimeFunction driven_by(const Source& source, BuiltSpan& built) {
+model::TimeFunction history_of(const Source& source, BuiltSpan& built) {
+  if (!source.is_harmonic()) return source.history_function();
   built.drives.push_back({.frequency = source.frequency, .mode = source.frequency_mode});
   return model::Driven{.drive = built.drives.size() - 1};
-}
-
-model::TimeFunction history_of(const casefile::Load& load, BuiltSpan& built) {
-  if (load.type == casefile::LoadType::static_force) return model::Constant{};
-  if (load.type == casefile::LoadType::harmonic_force) return driven_by(load, built);
-  return table(load.history);
-}
-
-model::TimeFunction history_of(const casefile::Motion& motion, BuiltSpan& built) {
-  if (motion.type == casefile::MotionType::static_motion) return model::Constant{};
-  if (motion.type == casefile::MotionType::harmonic_motion) return driven_by(motion, built);
-  return table(motion.history);
 }
 
 /// [m] of the reference configuration that each node stands for.
@@ -109,7 +89,7 @@ void add_loads(const casefile::Scene& scene, BuiltSpan& built) {
     const bool turns = load.is_moment();
     refuse_out_of_plane(scene, turns ? direction.head<2>().norm() : std::abs(direction.z()),
                         fmt::format("load[{}].direction", number), turns);
-    const double size = load.type == casefile::LoadType::table ? 1 : load.value();
+    const double size = load.value();
     const model::TimeFunction history = history_of(load, built);
     const auto add = [&](std::size_t node, double share) {
       const Eigen::Vector3d value = share * size * direction;
@@ -147,9 +127,10 @@ void add_motions(const casefile::Scene& scene, BuiltSpan& built) {
       casefile::refuse(scene.source, key + ".direction", fmt::format("this span has no {}", model::name_of(unknown)),
                        "give another direction, or leave condense_axial and torsion = false out of [span]");
     }
-    const double size = motion.type == casefile::MotionType::table ? 1 : motion.value();
-    built.model.motions.push_back(
-        {.node = node, .unknown = unknown, .amplitude = direction(axis) * size, .history = history_of(motion, built)});
+    built.model.motions.push_back({.node = node,
+                                   .unknown = unknown,
+                                   .amplitude = direction(axis) * motion.value(),
+                                   .history = history_of(motion, built)});
     built.motion_of.push_back(number);
   }
 }

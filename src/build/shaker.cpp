@@ -50,12 +50,12 @@ ShakerKey shaker_of(const Scene& scene) {
   ShakerKey shaker;
   int drives = 0;
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
-    if (scene.loads[i].type != casefile::LoadType::harmonic_force) continue;
+    if (!scene.loads[i].is_harmonic()) continue;
     shaker.load = i;
     ++drives;
   }
   for (std::size_t i = 0; i < scene.motions.size(); ++i) {
-    if (scene.motions[i].type != casefile::MotionType::harmonic_motion) continue;
+    if (!scene.motions[i].is_harmonic()) continue;
     shaker.motion = i;
     ++drives;
   }

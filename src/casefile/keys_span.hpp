@@ -1,5 +1,5 @@
 #pragma once
-/// \file The keys of the span and of what acts on it; see keys.hpp.
+/// \file The keys of the span, of its bodies, its initial motion and its damping; see keys.hpp.
 
 #include "strandyn/casefile/scene.hpp"
 
@@ -36,75 +36,7 @@ void keys(V& v, Span& s) {
       {.help = "whether axial unknowns are condensed: transverse motion about a straight span under uniform tension"});
 }
 
-// ---- [[load]], [[motion]], [[body]], [initial], [damping]
-
-template <class V>
-void keys(V& v, Load& l) {
-  v.choice("type", l.type, {.help = "the kind of load", .required = true});
-  v.one_of({"at_m", "per_length"}, {.required = true});
-  v.number("at_m", l.at, {.help = "the distance from the left support", .unit = units::m, .at_least = 0});
-  v.flag("per_length", l.per_length, {.help = "whether the load acts on every metre of the span"});
-  v.when("type", l.type, {LoadType::static_force}, [&] {
-    v.one_of({"force_N", "moment_N_m"}, {.required = true});
-    v.number("force_N", l.force, {.help = "the force, per metre with per_length", .unit = units::N});
-  });
-  v.when("type", l.type, {LoadType::harmonic_force}, [&] {
-    v.one_of({"amplitude_N", "moment_N_m"}, {.required = true});
-    v.number("amplitude_N", l.amplitude,
-             {.help = "the amplitude of the force, per metre with per_length", .unit = units::N});
-    v.one_of({"frequency_Hz", "frequency"}, {.required = true});
-    v.number("frequency_Hz", l.frequency, {.help = "the frequency", .unit = units::Hz, .above = 0});
-    v.mode_word("frequency", l.frequency_mode, {.help = "a natural frequency, written \"mode 12\""});
-  });
-  v.when("type", l.type, {LoadType::static_force, LoadType::harmonic_force}, [&] {
-    v.number("moment_N_m", l.moment,
-             {.help = "the moment or its amplitude, in the place of a force", .unit = units::N_m});
-  });
-  v.when("type", l.type, {LoadType::table}, [&] {
-    v.rows("history", l.history, {{{.help = "time", .unit = units::s}, {.help = "force or moment", .unit = units::N}}},
-           {.help = "the load over time, rows of seconds and newtons (newton metres with moment = true)",
-            .required = true});
-    v.flag("moment", l.history_is_moment, {.help = "whether the history is that of a moment"});
-  });
-  v.vector("direction", l.direction,
-           {.help = "the direction of the force, or the axis of the moment (y, or z for a moment, unless given)"});
-}
-
-template <class V>
-void keys(V& v, Motion& m) {
-  v.choice("type", m.type, {.help = "the kind of motion", .required = true});
-  v.one_of({"at", "at_m"}, {.required = true});
-  v.choice("at", m.support, {.help = "the support that moves"});
-  v.number("at_m", m.at,
-           {.help = "the distance from the left support to the point that moves, along the span",
-            .unit = units::m,
-            .at_least = 0});
-  v.when("type", m.type, {MotionType::static_motion}, [&] {
-    v.one_of({"displacement_mm", "rotation_deg"}, {.required = true});
-    v.number("displacement_mm", m.displacement, {.help = "the displacement", .unit = units::mm});
-    v.number("rotation_deg", m.rotation, {.help = "the rotation", .unit = units::deg});
-  });
-  v.when("type", m.type, {MotionType::harmonic_motion}, [&] {
-    v.one_of({"amplitude_mm", "amplitude_deg"}, {.required = true});
-    v.number("amplitude_mm", m.amplitude, {.help = "the amplitude of the displacement", .unit = units::mm});
-    v.number("amplitude_deg", m.rotation_amplitude, {.help = "the amplitude of the rotation", .unit = units::deg});
-    v.one_of({"frequency_Hz", "frequency"}, {.required = true});
-    v.number("frequency_Hz", m.frequency, {.help = "the frequency", .unit = units::Hz, .above = 0});
-    v.mode_word("frequency", m.frequency_mode, {.help = "a natural frequency, written \"mode 12\""});
-  });
-  v.when("type", m.type, {MotionType::table}, [&] {
-    v.flag("rotation", m.history_is_rotation, {.help = "whether the history is that of a rotation"});
-    const Number value = m.history_is_rotation
-                             ? Number{.help = "rotation", .unit = units::deg}
-                             : Number{.help = "displacement (degrees with rotation = true)", .unit = units::mm};
-    v.rows("history", m.history, {{{.help = "time", .unit = units::s}, value}},
-           {.help = "the motion over time, rows of seconds and millimetres (degrees with rotation = true)",
-            .required = true});
-  });
-  v.vector("direction", m.direction,
-           {.help = "the direction of the displacement, or the axis of the rotation, along x, y or z "
-                    "(y, or z for a rotation, unless given)"});
-}
+// ---- [[body]], [initial], [damping]
 
 template <class V>
 void keys(V& v, Body& b) {

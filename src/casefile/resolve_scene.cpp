@@ -209,8 +209,8 @@ void check_analysis(const Scene& scene) {
            scene.initial ? "excludes [initial], and both are given" : "is missing, and nothing else starts the motion",
            "give exactly one: antinode_amplitude_mm, or [initial] with a velocity");
   }
-  const bool cycle = std::ranges::count(scene.loads, LoadType::harmonic_force, &Load::type) > 0 ||
-                     std::ranges::count(scene.motions, MotionType::harmonic_motion, &Motion::type) > 0;
+  const bool cycle =
+      std::ranges::any_of(scene.loads, &Load::is_harmonic) || std::ranges::any_of(scene.motions, &Motion::is_harmonic);
   if (needs_drive(scene.analysis) && !cycle) {
     refuse(scene.source, "analysis.type", "has no load that sets the cycle",
            "give a [[load]] with type = \"harmonic-force\", or a [[motion]] with type = \"harmonic-motion\", and its "

@@ -74,10 +74,8 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
               .elastic = at_end.elastic,
               .friction = at_end.friction - cycle_start_.friction,
               .viscous = at_end.viscous.total() - cycle_start_.viscous.total(),
-              .viscous_parts = {.drag = at_end.viscous.drag - cycle_start_.viscous.drag,
-                                .dampers = at_end.viscous.dampers - cycle_start_.viscous.dampers,
-                                .rayleigh = at_end.viscous.rayleigh - cycle_start_.viscous.rayleigh,
-                                .modal = at_end.viscous.modal - cycle_start_.viscous.modal},
+              .viscous_parts =
+                  system::of_each_term([&](auto term) { return at_end.viscous.*term - cycle_start_.viscous.*term; }),
               .numerical = at_end.numerical() - cycle_start_.numerical(),
               .quadrature_error = at_end.quadrature_error - cycle_start_.quadrature_error,
               .internal_work = at_end.internal_work - cycle_start_.internal_work};

@@ -8,10 +8,7 @@ Account interpolate(const Account& from, const Account& to, double part) {
           .kinetic = mix(from.kinetic, to.kinetic),
           .elastic = mix(from.elastic, to.elastic),
           .friction = mix(from.friction, to.friction),
-          .viscous = {.drag = mix(from.viscous.drag, to.viscous.drag),
-                      .dampers = mix(from.viscous.dampers, to.viscous.dampers),
-                      .rayleigh = mix(from.viscous.rayleigh, to.viscous.rayleigh),
-                      .modal = mix(from.viscous.modal, to.viscous.modal)},
+          .viscous = system::of_each_term([&](auto term) { return mix(from.viscous.*term, to.viscous.*term); }),
           .quadrature_error = mix(from.quadrature_error, to.quadrature_error),
           .internal_work = mix(from.internal_work, to.internal_work),
           .initial_kinetic = to.initial_kinetic};
@@ -38,10 +35,8 @@ void Ledger::step(const system::System& system, const StepRecord& record) {
   now_.friction += record.accepted.friction;
   now_.quadrature_error += record.accepted.quadrature_error;
   const double half = 0.5 * record.step;
-  now_.viscous.drag += half * (power_.drag + power.drag);
-  now_.viscous.dampers += half * (power_.dampers + power.dampers);
-  now_.viscous.rayleigh += half * (power_.rayleigh + power.rayleigh);
-  now_.viscous.modal += half * (power_.modal + power.modal);
+  now_.viscous =
+      system::of_each_term([&](auto term) { return now_.viscous.*term + half * (power_.*term + power.*term); });
 
   u_ = record.u;
   external_ = record.external;

@@ -21,16 +21,16 @@ void check(const Scene& scene) {
     refuse(scene.source, "integrator.step", "a test bench counts its cycles in whole steps",
            "use \"fixed\" or \"auto\"");
   }
-  const auto check_history = [&](bool table, const char* kind, std::size_t i) {
-    if (!table) return;
+  const auto check_history = [&](const math::TimeFunction& history, const char* kind, std::size_t i) {
+    if (std::holds_alternative<math::Constant>(history)) return;
     refuse(scene.source, fmt::format("{}[{}]", kind, i), "has a history of its own, and a test bench has one shaker",
            "leave it out");
   };
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
-    check_history(scene.loads[i].type == casefile::LoadType::table, "load", i);
+    check_history(scene.loads[i].history_function(), "load", i);
   }
   for (std::size_t i = 0; i < scene.motions.size(); ++i) {
-    check_history(scene.motions[i].type == casefile::MotionType::table, "motion", i);
+    check_history(scene.motions[i].history_function(), "motion", i);
   }
   build::shaker_of(scene);
 }

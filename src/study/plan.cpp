@@ -40,8 +40,8 @@ std::vector<NamedMode> named_modes(const Scene& scene, const PlanAsk& ask) {
 }
 
 bool has_drive(const Scene& scene) {
-  return std::ranges::count(scene.loads, casefile::LoadType::harmonic_force, &casefile::Load::type) > 0 ||
-         std::ranges::count(scene.motions, casefile::MotionType::harmonic_motion, &casefile::Motion::type) > 0;
+  return std::ranges::any_of(scene.loads, &casefile::Load::is_harmonic) ||
+         std::ranges::any_of(scene.motions, &casefile::Motion::is_harmonic);
 }
 
 /// What the span asks of its drives, with the frequencies of the modes.

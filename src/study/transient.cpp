@@ -19,7 +19,7 @@ namespace {
 
 /// Does anything act at time 0 beside the weight? A chain without supports has no stiffness to look for a rest with.
 bool is_loaded_at_start(const model::Model& model) {
-  const auto acts = [](const auto& source) { return model::evaluate(source.history, 0) != 0; };
+  const auto acts = [](const auto& source) { return math::evaluate(source.history, 0) != 0; };
   return std::ranges::any_of(model.loads, [&](const model::Load& load) { return !load.dead && acts(load); }) ||
          std::ranges::any_of(model.motions, acts);
 }

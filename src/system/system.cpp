@@ -65,7 +65,7 @@ void System::held_values(At at, double* u) const {
   }
   for (std::size_t m = 0; m < moved_.size(); ++m) {
     u[moved_[m]] +=
-        at.part * model_.motions[m].amplitude * model::evaluate(model_.motions[m].history, at.time, at.drives);
+        at.part * model_.motions[m].amplitude * math::evaluate(model_.motions[m].history, at.time, at.drives);
   }
 }
 
@@ -74,7 +74,7 @@ void System::held_rates(At at, double* v) const {
     if (held_[i]) v[i] = 0;
   }
   for (std::size_t m = 0; m < moved_.size(); ++m) {
-    v[moved_[m]] += model_.motions[m].amplitude * model::rate(model_.motions[m].history, at.time, at.drives);
+    v[moved_[m]] += model_.motions[m].amplitude * math::rate(model_.motions[m].history, at.time, at.drives);
   }
 }
 
@@ -204,7 +204,7 @@ void System::add_along(const model::Body& body, double factor, Matrix& K) const 
 void System::external_force(At at, const double* u, double* f) const {
   std::fill(f, f + unknowns(), 0.0);
   for (const model::Load& load : model_.loads) {
-    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time, at.drives);
+    const double factor = (load.dead ? at.dead : at.part) * math::evaluate(load.history, at.time, at.drives);
     add_at_node(load.node, factor * load.force, f);
     if (!load.moment.isZero(0)) chain_->add_moment(load.node, factor * load.moment, u, f);
   }
@@ -213,7 +213,7 @@ void System::external_force(At at, const double* u, double* f) const {
 void System::subtract_external_tangent(At at, const double* u, Matrix& K) const {
   for (const model::Load& load : model_.loads) {
     if (load.moment.isZero(0)) continue;
-    const double factor = (load.dead ? at.dead : at.part) * model::evaluate(load.history, at.time, at.drives);
+    const double factor = (load.dead ? at.dead : at.part) * math::evaluate(load.history, at.time, at.drives);
     chain_->subtract_moment_tangent(load.node, factor * load.moment, u, K);
   }
 }

@@ -31,23 +31,6 @@ constexpr auto words_of(Support) {
                     Named{Support::roller, "roller"}, Named{Support::free, "free"}, Named{Support::guided, "guided"}};
 }
 
-enum class LoadType { static_force, harmonic_force, table };
-constexpr auto words_of(LoadType) {
-  return std::array{Named{LoadType::static_force, "static-force"}, Named{LoadType::harmonic_force, "harmonic-force"},
-                    Named{LoadType::table, "table"}};
-}
-
-enum class MotionType { static_motion, harmonic_motion, table };
-constexpr auto words_of(MotionType) {
-  return std::array{Named{MotionType::static_motion, "static-motion"},
-                    Named{MotionType::harmonic_motion, "harmonic-motion"}, Named{MotionType::table, "table"}};
-}
-
-enum class End { left, right };
-constexpr auto words_of(End) {
-  return std::array{Named{End::left, "left"}, Named{End::right, "right"}};
-}
-
 enum class Method { ida, generalized_alpha };
 constexpr auto words_of(Method) {
   return std::array{Named{Method::ida, "ida"}, Named{Method::generalized_alpha, "generalized-alpha"}};

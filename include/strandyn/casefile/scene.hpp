@@ -13,13 +13,12 @@
 #include "strandyn/casefile/acceptance.hpp"
 #include "strandyn/casefile/analysis.hpp"
 #include "strandyn/casefile/choices.hpp"
+#include "strandyn/casefile/loads.hpp"
 #include "strandyn/casefile/section.hpp"
 #include "strandyn/casefile/source.hpp"
 #include "strandyn/conductor/strand.hpp"
 
 namespace strandyn::casefile {
-
-using Vector3 = std::array<double, 3>;
 
 /// [[conductor.layer]], also of a catalogue entry. After reading: lay_angle, helix_radius, friction_inner hold values,
 /// lay_length and friction are empty.
@@ -72,46 +71,6 @@ struct Span {
 
   /// [m] between the supports, along the corners if there are any.
   double total_length() const;
-};
-
-struct Load {
-  LoadType type = LoadType::static_force;
-  std::optional<double> at;  ///< [m] from the left support; empty: per length of the whole span
-  std::optional<bool> per_length;
-  std::optional<double> force;                 ///< [N] or [N/m], `static-force`
-  std::optional<double> amplitude;             ///< [N] or [N/m], `harmonic-force`
-  std::optional<double> moment;                ///< [N m] or [N], in the place of either
-  std::vector<std::array<double, 2>> history;  ///< [s], [N] ([N m] if history_is_moment), `table`
-  bool history_is_moment = false;
-  std::optional<Vector3> direction;   ///< [-] unit vector; always set after reading
-  std::optional<double> frequency;    ///< [Hz] `harmonic-force`: this, or
-  std::optional<int> frequency_mode;  ///< that of this mode, counted from 1
-
-  bool is_moment() const { return moment.has_value() || history_is_moment; }
-  /// The one of force, amplitude, moment that is given; 0 for a table.
-  double value() const { return moment.value_or(force.value_or(amplitude.value_or(0.0))); }
-};
-
-/// [[motion]]: a support or a point of the span follows a prescribed motion along or about one axis.
-struct Motion {
-  MotionType type = MotionType::static_motion;
-  std::optional<End> support;                  ///< this, or
-  std::optional<double> at;                    ///< [m] from the left support, along the span
-  std::optional<double> displacement;          ///< [m] `static-motion`: this, or
-  std::optional<double> rotation;              ///< [rad]
-  std::optional<double> amplitude;             ///< [m] `harmonic-motion`: this, or
-  std::optional<double> rotation_amplitude;    ///< [rad]
-  std::optional<double> frequency;             ///< [Hz] `harmonic-motion`: this, or
-  std::optional<int> frequency_mode;           ///< that of this mode, counted from 1
-  std::vector<std::array<double, 2>> history;  ///< [s], [m] ([rad] if history_is_rotation), `table`
-  bool history_is_rotation = false;
-  std::optional<Vector3> direction;  ///< [-] plus or minus one of the axes x, y, z; always set after reading
-
-  bool is_rotation() const { return rotation || rotation_amplitude || history_is_rotation; }
-  /// [m] or [rad] the one of displacement, rotation and their amplitudes that is given; 0 for a table.
-  double value() const {
-    return displacement.value_or(rotation.value_or(amplitude.value_or(rotation_amplitude.value_or(0.0))));
-  }
 };
 
 /// [[body]]: a lumped mass, or a spring and damper to the ground, at a point of the span.

@@ -12,11 +12,18 @@
 #include "strandyn/beam/spatial_element.hpp"
 #include "strandyn/beam/spatial_inertia.hpp"
 #include "strandyn/core/words.hpp"
+#include "strandyn/math/time_function.hpp"
 #include "strandyn/model/freedom.hpp"
-#include "strandyn/model/time_function.hpp"
 #include "strandyn/section/law.hpp"
 
 namespace strandyn::model {
+
+using math::Constant;
+using math::Drive;
+using math::Driven;
+using math::Harmonic;
+using math::Tabulated;
+using math::TimeFunction;
 
 using strandyn::MassMatrix;
 

@@ -39,10 +39,9 @@ void members(V& v, Cycle& c) {
   v.value("elastic_J", c.elastic, {.what = "elastic energy at the end, above that of the initial state"});
   v.value("friction_dissipation_J", c.friction, {.what = "friction between the wires", .shown = "friction per cycle"});
   v.value("viscous_dissipation_J", c.viscous, {.what = "all viscous damping"});
-  v.value("drag_J", c.viscous_parts.drag, {.what = "of it, drag along the span"});
-  v.value("dampers_J", c.viscous_parts.dampers, {.what = "of it, dampers of bodies"});
-  v.value("rayleigh_J", c.viscous_parts.rayleigh, {.what = "of it, Rayleigh damping"});
-  v.value("modal_J", c.viscous_parts.modal, {.what = "of it, modal damping"});
+  for (const system::ViscousTerm& term : system::viscous_terms) {
+    v.value(term.name, c.viscous_parts.*term.value, {.what = term.what});
+  }
   v.value("numerical_dissipation_J", c.numerical,
           {.what = "what the other terms leave over: the integrator's error", .shown = "numerical part per cycle"});
   v.value("quadrature_error_J", c.quadrature_error,

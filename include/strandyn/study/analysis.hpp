@@ -4,7 +4,7 @@
 ///     prepare(scene)  decides all that can be refused, and owns what it decided     `check` ends here
 ///     outlook()       what will be modelled and what it will cost                   `describe`
 ///     run(...)        computes; throws no InputError but for a checkpoint of another case
-/// The table in src/study/analyses.cpp is the only place that knows all analyses.
+/// The table in src/study/entries.hpp is the only place that knows all analyses.
 
 #include <cstdint>
 #include <filesystem>

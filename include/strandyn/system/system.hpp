@@ -60,15 +60,35 @@ struct ProportionalDamping {
   std::vector<Mode> modes;
 };
 
-/// What the viscous forces take, each under its own name. [W], or [J] once summed over time
+/// What the viscous forces take, each under its own name. [W], or [J] once summed over time. To add a term: a member,
+/// its line in `viscous_terms`, its power in `System::viscous_power`.
 struct ViscousLoss {
-  double drag = 0;     ///< along the span
-  double dampers = 0;  ///< of bodies
-  double rayleigh = 0;
-  double modal = 0;
+  double drag = 0, dampers = 0, rayleigh = 0, modal = 0;
 
-  double total() const { return drag + dampers + rayleigh + modal; }
+  double total() const;
 };
+struct ViscousTerm {
+  double ViscousLoss::*value;
+  const char* name;  ///< in the account of a cycle, with its unit
+  const char* what;
+};
+inline constexpr ViscousTerm viscous_terms[] = {{&ViscousLoss::drag, "drag_J", "of it, drag along the span"},
+                                                {&ViscousLoss::dampers, "dampers_J", "of it, dampers of bodies"},
+                                                {&ViscousLoss::rayleigh, "rayleigh_J", "of it, Rayleigh damping"},
+                                                {&ViscousLoss::modal, "modal_J", "of it, modal damping"}};
+
+/// Term by term: `value_of(member)`.
+template <class F>
+ViscousLoss of_each_term(const F& value_of) {
+  ViscousLoss loss;
+  for (const ViscousTerm& term : viscous_terms) loss.*term.value = value_of(term.value);
+  return loss;
+}
+inline double ViscousLoss::total() const {
+  double sum = 0;
+  for (const ViscousTerm& term : viscous_terms) sum += this->*term.value;
+  return sum;
+}
 
 /// When loads and prescribed motions are asked for: at a time, in a static analysis in part, in a run under its drives.
 struct At {

@@ -240,10 +240,7 @@ void HarmonicBalance::account(const PeriodicPoint& point, const BalanceEvaluatio
   const double step = 2 * std::numbers::pi / point.omega / static_cast<double>(samples);
   for (Index j = 0; j < samples; ++j) {
     const system::ViscousLoss power = system_.viscous_power(v.col(j).data());
-    solution.viscous.drag += step * power.drag;
-    solution.viscous.dampers += step * power.dampers;
-    solution.viscous.rayleigh += step * power.rayleigh;
-    solution.viscous.modal += step * power.modal;
+    solution.viscous = system::of_each_term([&](auto term) { return solution.viscous.*term + step * power.*term; });
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 std::vector<double> stop_times(const model::Model& model, double end_time) {
   std::vector<double> times;
   const auto add = [&](const model::TimeFunction& history) {
-    for (double t : model::corners(history)) {
+    for (double t : math::corners(history)) {
       if (t > 0 && t < end_time) times.push_back(t);
     }
   };

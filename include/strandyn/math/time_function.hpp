@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace strandyn::model {
+namespace strandyn::math {
 
 /// What shakes, decided when the model is long built: amplitude sin(2 pi f t + phase).
 struct Drive {
@@ -61,4 +61,4 @@ double rate(const TimeFunction& function, double t, std::span<const Drive> drive
 /// [s] where a step of an integration must end.
 std::vector<double> corners(const TimeFunction& function);
 
-}  // namespace strandyn::model
+}  // namespace strandyn::math

@@ -1,10 +1,10 @@
-#include "strandyn/model/time_function.hpp"
+#include "strandyn/math/time_function.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace strandyn::model {
+namespace strandyn::math {
 
 double Harmonic::at(double t) const {
   return std::sin(2 * std::numbers::pi * frequency * t + phase);
@@ -82,4 +82,4 @@ std::vector<double> corners(const TimeFunction& function) {
       function);
 }
 
-}  // namespace strandyn::model
+}  // namespace strandyn::math

@@ -1,10 +1,10 @@
-#include "strandyn/model/time_function.hpp"
+#include "strandyn/math/time_function.hpp"
 
 #include <doctest/doctest.h>
 
 #include "support/check_close.hpp"
 
-using namespace strandyn::model;
+using namespace strandyn::math;
 using strandyn::test::check_close;
 
 TEST_CASE("time function: a constant load is there from the start") {
