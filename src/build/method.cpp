@@ -25,7 +25,7 @@ Integration::Integration(const casefile::Scene& scene) : keys_(scene.integrator)
 }
 
 double Integration::step_at(double frequency) const {
-  return keys_.step_size.value_or(1 / (frequency * keys_.steps_per_cycle.value_or(200)));
+  return keys_.step_size.value_or(1 / (frequency * keys_.steps_per_cycle.value_or(casefile::default_steps_per_cycle)));
 }
 
 double Integration::damping_ratio(double frequency, double step) const {

@@ -92,7 +92,9 @@ void keys(V& v, Static& s) {
 
 template <class V>
 void keys(V& v, Integrator& i) {
-  v.choice("method", i.method, {.help = "the time integration method"});
+  v.choice("method", i.method,
+           {.help = "the time integration method (ida unless given; for a self-damping study generalized-alpha)",
+            .depends = true});
   v.when("method", i.method, {Method::generalized_alpha}, [&] {
     v.number(
         "rho_inf", i.rho_inf,
@@ -102,7 +104,7 @@ void keys(V& v, Integrator& i) {
   v.when("step", i.step, {StepRule::fixed}, [&] {
     v.one_of({"steps_per_cycle", "step_s"}, {});
     v.number("steps_per_cycle", i.steps_per_cycle,
-             {.help = "the number of steps per cycle (200 where no step is given)", .at_least = 4});
+             {.help = "the number of steps per cycle", .at_least = 4, .otherwise = default_steps_per_cycle});
     v.number("step_s", i.step_size, {.help = "the time step", .unit = units::s, .above = 0});
   });
   v.when("step", i.step, {StepRule::adaptive},

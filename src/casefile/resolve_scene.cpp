@@ -256,7 +256,7 @@ void resolve_scene(Scene& scene) {
     integrator.method = Method::generalized_alpha;
   }
   if (integrator.step == StepRule::fixed && !integrator.step_size && !integrator.steps_per_cycle) {
-    integrator.steps_per_cycle = 200;
+    integrator.steps_per_cycle = default_steps_per_cycle;
   }
   for (const Criterion& criterion : scene.accept.criteria) check_criterion(criterion, scene.source);
 }

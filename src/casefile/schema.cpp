@@ -59,6 +59,7 @@ class SchemaWriter {
   void number(const char* key, const std::optional<T>&, const Number& spec) {
     ordered_json schema = number_schema(spec, std::is_same_v<T, int>);
     if (spec.word) schema = {{"anyOf", {schema, {{"const", spec.word}}}}, {"default", spec.word}};
+    if (spec.otherwise) schema["default"] = *spec.otherwise;
     add(key, schema, describe(spec), spec.required);
   }
 
@@ -87,7 +88,7 @@ class SchemaWriter {
   template <class E>
   void choice(const char* key, const E& value, const Plain& spec) {
     ordered_json schema = choice_schema<E>();
-    if (!spec.required) schema["default"] = name_of(value);
+    if (!spec.required && !spec.depends) schema["default"] = name_of(value);
     add(key, schema, spec);
     if (spec.old_name) add_old_name(key, choice_schema<E>(), spec);
   }

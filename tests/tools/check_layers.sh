@@ -61,6 +61,20 @@ T
     put src/solver/static/path.cpp <<<$'#include "strandyn/beam/element.hpp"\n#include <sundials/sundials_context.h>'
     refused check_layers 'src/solver/static/path.cpp:2: "sundials/sundials_context.h" is a header of SUNDIALS'
     ;;
+  json)
+    put tools/layers.txt <<'T'
+0 core:
+1 results:
+2 beam: core
+2 section:
+5 solver/static: beam
+5 solver/time: core
+T
+    put src/results/json.cpp <<<'#include <nlohmann/json.hpp>'
+    accepted check_layers
+    put src/section/law.cpp <<<'#include <nlohmann/json.hpp>'
+    refused check_layers 'src/section/law.cpp:1: "nlohmann/json.hpp": JSON is read and written in src/results/json.cpp'
+    ;;
   table)
     put tools/layers.txt <<<'core 0'
     refused check_layers 'tools/layers.txt:1: expected a level, a module, a colon'

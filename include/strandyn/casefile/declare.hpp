@@ -56,7 +56,8 @@ struct Number {
   std::optional<double> at_most = {};
   bool not_zero = false;
   int multiple_of = 0;
-  const char* word = nullptr;  ///< a word that leaves the field empty: "auto"
+  std::optional<double> otherwise = {};  ///< of a field that may be absent: what is then taken, if it is a number
+  const char* word = nullptr;            ///< a word that leaves the field empty: "auto"
   bool required = false;
   bool whole = false;  ///< for a column of a row; of a field the type says it
 };
@@ -65,6 +66,7 @@ struct Number {
 struct Plain {
   const char* help;
   bool required = false;
+  bool depends = false;            ///< what is taken where it is absent depends on the case, as `help` says
   const char* old_name = nullptr;  ///< by which case files may still call it
 };
 

@@ -111,11 +111,14 @@ struct Static {
 inline constexpr double default_numerical_share = 0.05;
 inline constexpr std::size_t cycles_of_default_share = 20;
 
+/// Where the case gives no step.
+inline constexpr int default_steps_per_cycle = 200;
+
 struct Integrator {
   Method method = Method::ida;
   double rho_inf = 0.9;  ///< [-] `generalized-alpha`
   StepRule step = StepRule::fixed;
-  std::optional<int> steps_per_cycle;         ///< `fixed`: this (200 unless said) or
+  std::optional<int> steps_per_cycle;         ///< `fixed`: this or
   std::optional<double> step_size;            ///< [s]
   double rtol = 1e-6;                         ///< [-] `adaptive`
   double newton_tolerance = 1e-12;            ///< [m, rad]

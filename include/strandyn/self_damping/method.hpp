@@ -2,8 +2,8 @@
 /// \file The points of a self-damping study, and the methods that compute one.
 ///
 /// A point is a frequency, an antinode amplitude and a tension; a method computes its self-damping. To add a method: a
-/// word in the case file's list of methods, a class, a line in the table of methods.cpp. Every method passes the
-/// battery of tests/self_damping/method_battery.hpp.
+/// word in the case file's list of methods, a class, a line in the table of method.cpp. Every method passes the
+/// battery of tests/self_damping/method_battery_test.cpp.
 
 #include <functional>
 #include <memory>
