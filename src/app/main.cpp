@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   app::RunArguments arguments;
   std::string name;
   std::filesystem::path folder;
+  bool of_results = false;
   std::function<ExitCode()> verb;
 
   CLI::App* run = add_case_verb(program, "run", "run a case and write its results", arguments);
@@ -71,7 +72,9 @@ int main(int argc, char** argv) {
   conductors->add_option("NAME", name, "one conductor, in full");
   conductors->callback([&] { verb = [&] { return app::conductors(name); }; });
 
-  program.add_subcommand("schema", "JSON Schema of a case file, for editors")->callback([&] { verb = app::schema; });
+  CLI::App* schema = program.add_subcommand("schema", "JSON Schema of a case file, for editors");
+  schema->add_flag("--results", of_results, "what the members of summary.json mean instead, in Markdown");
+  schema->callback([&] { verb = [&] { return app::schema(of_results); }; });
 
   CLI::App* report = program.add_subcommand("report", "turn a results folder into one HTML page and its plots");
   report->add_option("DIR", folder, "results folder")->required();

@@ -10,6 +10,7 @@
 #include "strandyn/report/page.hpp"
 #include "strandyn/report/text_table.hpp"
 #include "strandyn/results/json.hpp"
+#include "strandyn/study/reference.hpp"
 #include "strandyn/study/run_case.hpp"
 
 namespace strandyn::app {
@@ -72,8 +73,8 @@ ExitCode conductors(const std::string& name) {
   return ExitCode::done;
 }
 
-ExitCode schema() {
-  fmt::print("{}\n", casefile::case_schema());
+ExitCode schema(bool of_results) {
+  fmt::print("{}", of_results ? study::outputs_reference() : casefile::case_schema() + "\n");
   return ExitCode::done;
 }
 

@@ -33,7 +33,7 @@ ExitCode run(const RunArguments& arguments);
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 ExitCode describe(const RunArguments& arguments);
 ExitCode conductors(const std::string& name);
-ExitCode schema();
+ExitCode schema(bool of_results);
 ExitCode verify(const VerifyArguments& arguments);
 ExitCode report(const std::filesystem::path& folder);
 

@@ -94,6 +94,10 @@ class AxialTorsion final : public Analysis {
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_axial_torsion() {
+  return results::ReferenceWriter::of<AxialTorsionSummary>();
+}
+
 std::unique_ptr<Analysis> prepare_axial_torsion(const Scene& scene) {
   return std::make_unique<AxialTorsion>(scene);
 }

@@ -85,6 +85,25 @@ void CycleLog::archive(Archive& a) {
   if (a.reads() && !path_.empty()) reopen();
 }
 
+namespace {
+
+/// What the summary has of the cycles.
+struct CyclesOfSummary {
+  std::vector<Cycle> cycles;
+  std::size_t count = 0;
+};
+template <class V>
+void members(V& v, CyclesOfSummary& s) {
+  v.list("cycles", s.cycles, {.what = "the first and the last thousand; all are in cycles.csv"});
+  v.value("cycle_count", s.count, {.what = "of all cycles"});
+}
+
+}  // namespace
+
+std::vector<results::MemberNote> CycleLog::notes() {
+  return results::ReferenceWriter::of<CyclesOfSummary>();
+}
+
 void CycleLog::add_to(Outcome& outcome) const {
   std::vector<Cycle> rows = first_;
   rows.insert(rows.end(), last_.begin(), last_.end());

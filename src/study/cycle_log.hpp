@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "strandyn/observe/cycles.hpp"
-#include "strandyn/results/value.hpp"
+#include "strandyn/results/reference.hpp"
 #include "strandyn/study/analysis.hpp"
 
 namespace strandyn::study {
@@ -26,6 +26,7 @@ class CycleLog final : public observe::Observer {
   std::size_t count() const { return count_; }
   /// `cycles` and `cycle_count` of the summary, cycles.csv.
   void add_to(Outcome& outcome) const;
+  static std::vector<results::MemberNote> notes();
 
  private:
   void reopen();

@@ -1,8 +1,9 @@
 #pragma once
-/// \file The table of analyses: the word of each and the function that prepares it.
+/// \file The table of analyses: the word of each, the function that prepares it, and what its summary says.
 
 #include <array>
 
+#include "strandyn/results/reference.hpp"
 #include "strandyn/study/analysis.hpp"
 
 namespace strandyn::study {
@@ -12,20 +13,28 @@ using Prepare = std::unique_ptr<Analysis>(const casefile::Scene& scene);
 Prepare prepare_section, prepare_axial_torsion, prepare_static, prepare_modes, prepare_decay, prepare_forced,
     prepare_transient, prepare_sweep, prepare_self_damping;
 
+/// The members of the summary that are the analysis' own.
+using Notes = std::vector<results::MemberNote>();
+
+Notes notes_of_frame, notes_of_section, notes_of_axial_torsion, notes_of_static, notes_of_modes, notes_of_vibration,
+    notes_of_transient, notes_of_sweep, notes_of_self_damping;
+
 struct Entry {
   std::string_view word;
   Prepare* prepare;
+  Notes* notes;
 };
 
-inline constexpr std::array entries = {Entry{casefile::SectionAnalysis::word, prepare_section},
-                                       Entry{casefile::AxialTorsionAnalysis::word, prepare_axial_torsion},
-                                       Entry{casefile::StaticAnalysis::word, prepare_static},
-                                       Entry{casefile::ModesAnalysis::word, prepare_modes},
-                                       Entry{casefile::DecayAnalysis::word, prepare_decay},
-                                       Entry{casefile::ForcedAnalysis::word, prepare_forced},
-                                       Entry{casefile::TransientAnalysis::word, prepare_transient},
-                                       Entry{casefile::SweepAnalysis::word, prepare_sweep},
-                                       Entry{casefile::SelfDampingAnalysis::word, prepare_self_damping}};
+inline constexpr std::array entries = {
+    Entry{casefile::SectionAnalysis::word, prepare_section, notes_of_section},
+    Entry{casefile::AxialTorsionAnalysis::word, prepare_axial_torsion, notes_of_axial_torsion},
+    Entry{casefile::StaticAnalysis::word, prepare_static, notes_of_static},
+    Entry{casefile::ModesAnalysis::word, prepare_modes, notes_of_modes},
+    Entry{casefile::DecayAnalysis::word, prepare_decay, notes_of_vibration},
+    Entry{casefile::ForcedAnalysis::word, prepare_forced, notes_of_vibration},
+    Entry{casefile::TransientAnalysis::word, prepare_transient, notes_of_transient},
+    Entry{casefile::SweepAnalysis::word, prepare_sweep, notes_of_sweep},
+    Entry{casefile::SelfDampingAnalysis::word, prepare_self_damping, notes_of_self_damping}};
 static_assert(entries.size() == std::variant_size_v<casefile::Analysis>, "one row for each analysis of a case");
 
 }  // namespace strandyn::study

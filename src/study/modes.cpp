@@ -107,6 +107,10 @@ class Modes final : public Analysis {
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_modes() {
+  return results::ReferenceWriter::of<ModesSummary>();
+}
+
 std::unique_ptr<Analysis> prepare_modes(const Scene& scene) {
   return std::make_unique<Modes>(scene);
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "entries.hpp"
 #include "strandyn/build/section_law.hpp"
 #include "strandyn/casefile/echo.hpp"
 #include "strandyn/section/return_map.hpp"
@@ -88,6 +89,35 @@ const char* status_word(ExitCode code) {
   return code == ExitCode::interrupted ? "interrupted" : "failed";
 }
 
+/// What all summaries have in common.
+struct Frame {
+  std::string title, status, message;
+  Program program;
+  build::SectionNumbers section;
+  Cost cost;
+  std::vector<std::string> warnings, files;
+  std::vector<VerdictRow> accept;
+  std::vector<results::Highlight> highlights;
+  std::vector<results::Figure> figures;
+  std::vector<results::ShownTable> shown;
+};
+template <class V>
+void members(V& v, Frame& f) {
+  v.value("title", f.title, {.what = "of the case"});
+  v.value("status", f.status, {.what = "done, failed or interrupted"});
+  v.value("message", f.message, {.what = "why it is not done"});
+  v.record("program", f.program, {.what = "what has computed this"});
+  v.value("case", "", {.what = "the case as run: every key with its value"});
+  v.record("section", f.section, {.what = "the numbers of the section"});
+  v.record("cost", f.cost, {.what = "what it took"});
+  v.value("warnings", f.warnings, {.what = "what to know before a number is used"});
+  v.list("accept", f.accept, {.what = "the verdicts on [accept]"});
+  v.list("highlights", f.highlights, {.what = "the numbers to look at first"});
+  v.list("figures", f.figures, {.what = "what is worth drawing"});
+  v.list("shown_tables", f.shown, {.what = "the tables that the terminal and the page show"});
+  v.value("files", f.files, {.what = "the tables of this folder"});
+}
+
 Value list_of(const std::vector<std::string>& words) {
   Value list = Value::list();
   for (const std::string& word : words) list.append(word);
@@ -109,6 +139,10 @@ Value frame(const casefile::Scene& scene) {
 }
 
 }  // namespace
+
+std::vector<results::MemberNote> notes_of_frame() {
+  return results::ReferenceWriter::of<Frame>();
+}
 
 CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   const auto wall_start = std::chrono::steady_clock::now();

@@ -311,6 +311,10 @@ void members(V& v, CyclesSummary& s) {
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_cycles() {
+  return results::ReferenceWriter::of<CyclesSummary>();
+}
+
 void check_cycles(const Scene& scene) {
   const auto& keys = scene.as<casefile::SectionAnalysis>();
   if (keys.steps_per_cycle % 4 != 0) {

@@ -2,6 +2,7 @@
 /// \file The ways to run a section: symmetric cycles, a path from a file, wires under monotonic bending.
 
 #include "strandyn/build/section_law.hpp"
+#include "strandyn/results/reference.hpp"
 #include "strandyn/study/analysis.hpp"
 
 namespace strandyn::study {
@@ -15,6 +16,11 @@ AxialState axial_state(const build::SectionNumbers& n, casefile::Twist twist, do
 
 /// A section twists only in the spatial law; the planar one serves, and costs less, where it does not.
 section::Dimension dimension_of(const casefile::Scene& scene);
+
+/// What the summary of each says.
+std::vector<results::MemberNote> notes_of_cycles();
+std::vector<results::MemberNote> notes_of_path();
+std::vector<results::MemberNote> notes_of_wires();
 
 /// Each `check` refuses what its `run` cannot do.
 void check_cycles(const casefile::Scene& scene);

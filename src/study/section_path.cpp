@@ -88,6 +88,10 @@ section::Dimension dimension_of_path(const Scene& scene, const results::Table& p
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_path() {
+  return results::ReferenceWriter::of<PathSummary>();
+}
+
 results::Table check_path(const Scene& scene) {
   results::Table path = read_path(scene);
   build::build_law(scene, dimension_of_path(scene, path));

@@ -58,7 +58,20 @@ LayerRow row_of(const section::LayerState& layer, double axial_force) {
           .f_ext = layer.f_ext};
 }
 
+/// `wires` of summary.json.
+struct WiresSummary {
+  std::vector<WiresRow> wires;
+};
+template <class V>
+void members(V& v, WiresSummary& s) {
+  v.list("wires", s.wires, {.what = "a section bent to each curvature that was asked for"});
+}
+
 }  // namespace
+
+std::vector<results::MemberNote> notes_of_wires() {
+  return results::ReferenceWriter::of<WiresSummary>();
+}
 
 void check_wires(const Scene& scene) {
   if (scene.as<casefile::SectionAnalysis>().wires_at.empty() || build::has_wires(scene.section.law)) return;
@@ -129,7 +142,7 @@ void list_wires(const Scene& scene, Outcome& outcome) {
       }
     }
   }
-  outcome.summary.set("wires", results::to_value(rows));
+  outcome.tell(WiresSummary{.wires = std::move(rows)});
   outcome.tables.push_back({.file = "wires.csv", .table = std::move(table)});
   outcome.figures.push_back({.name = "wires",
                              .title = "Wire forces around the section",

@@ -301,6 +301,10 @@ void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outco
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_self_damping() {
+  return results::ReferenceWriter::of<StudySummary>();
+}
+
 std::unique_ptr<Analysis> prepare_self_damping(const Scene& scene) {
   return std::make_unique<SelfDamping>(scene);
 }

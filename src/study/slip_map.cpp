@@ -37,9 +37,13 @@ void SlipMap::watch(double load) {
   }
 }
 
+std::vector<results::MemberNote> SlipMap::notes() {
+  return results::ReferenceWriter::of<SlipMapSummary>();
+}
+
 void SlipMap::add_to(Outcome& outcome) {
   if (wanted_.empty()) return;
-  outcome.summary.set("slip_maps", results::to_value(rows_));
+  outcome.tell(SlipMapSummary{.maps = rows_});
   outcome.tables.push_back({.file = "slip_maps.csv", .table = std::move(table_)});
   outcome.figures.push_back({.name = "slip_maps",
                              .title = "Wire forces around the section",

@@ -1,6 +1,7 @@
 #pragma once
 /// \file Which wires slip in one section of a loaded chain, at chosen loads. [FM2016 Figure 18]
 
+#include "strandyn/results/reference.hpp"
 #include "strandyn/span/rest.hpp"
 #include "strandyn/study/analysis.hpp"
 
@@ -28,6 +29,15 @@ void members(V& v, SlipMapRow& r) {
   v.list("layers", r.layers, {.what = "each layer at that load"});
 }
 
+/// `slip_maps` of summary.json.
+struct SlipMapSummary {
+  std::vector<SlipMapRow> maps;
+};
+template <class V>
+void members(V& v, SlipMapSummary& s) {
+  v.list("slip_maps", s.maps, {.what = "which wires slip at each load that was asked for"});
+}
+
 class SlipMap {
  public:
   /// Looks at the section point next to `node`.
@@ -36,6 +46,7 @@ class SlipMap {
   /// Takes the committed state if `load` [N] has reached the next one that was asked for.
   void watch(double load);
   void add_to(Outcome& outcome);
+  static std::vector<results::MemberNote> notes();
 
  private:
   const span::SpanAtRest& span_;

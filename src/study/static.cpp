@@ -265,6 +265,12 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_static() {
+  std::vector<results::MemberNote> notes = results::ReferenceWriter::of<StaticSummary>();
+  std::ranges::move(SlipMap::notes(), std::back_inserter(notes));
+  return notes;
+}
+
 std::unique_ptr<Analysis> prepare_static(const Scene& scene) {
   return std::make_unique<Static>(scene);
 }

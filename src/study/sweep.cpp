@@ -265,6 +265,10 @@ class Sweep final : public Analysis {
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_sweep() {
+  return results::ReferenceWriter::of<SweepSummary>();
+}
+
 std::unique_ptr<Analysis> prepare_sweep(const Scene& scene) {
   return std::make_unique<Sweep>(scene);
 }

@@ -312,6 +312,10 @@ class Transient final : public Analysis {
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_transient() {
+  return results::ReferenceWriter::of<TransientSummary>();
+}
+
 std::unique_ptr<Analysis> prepare_transient(const Scene& scene) {
   return std::make_unique<Transient>(scene);
 }

@@ -273,6 +273,12 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
 
 }  // namespace
 
+std::vector<results::MemberNote> notes_of_vibration() {
+  std::vector<results::MemberNote> notes = results::ReferenceWriter::of<VibrationSummary>();
+  std::ranges::move(CycleLog::notes(), std::back_inserter(notes));
+  return notes;
+}
+
 std::unique_ptr<Analysis> prepare_decay(const Scene& scene) {
   const auto& decay = scene.as<casefile::DecayAnalysis>();
   return std::make_unique<Vibration>(scene, PlanAsk{.mode = decay.mode,
