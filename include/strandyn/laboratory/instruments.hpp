@@ -43,6 +43,7 @@ class SteadyPhasors final : public observe::Observer {
       : bench_(bench), drive_(drive), cycles_(cycles) {}
   void begin(const system::System& system, const observe::StepRecord& initial) override;
   void step(const system::System& system, const observe::StepRecord& record) override;
+  bool wants_forces() const override { return true; }
 
   std::complex<double> force() const { return force_ / weight_; }    ///< [N] of the shaker
   std::complex<double> driven() const { return driven_ / weight_; }  ///< [m] its point
