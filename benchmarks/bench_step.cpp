@@ -46,7 +46,7 @@ void print_laws() {
 void print_elements() {
   fmt::print("\nElement, stick law (section included): nanoseconds per element\n");
   const casefile::Scene scene = scene_with({"section.law=stick"});
-  const const build::BuiltSpan built = build::build_span(scene);
+  const build::BuiltSpan built = build::build_span(scene);
   system::System system(built.model);
   system::Vector u = system::Vector::Zero(static_cast<Eigen::Index>(system.unknowns()));
   system.begin(u);
@@ -60,7 +60,7 @@ void print_elements() {
 
 /// [Hz] of the mode at which the span is shaken; the same in space.
 double planar_frequency() {
-  const const build::BuiltSpan built = build::build_span(scene_with({}));
+  const build::BuiltSpan built = build::build_span(scene_with({}));
   system::System system(built.model);
   const system::Vector u = system.make_vector();
   system.begin(u);
