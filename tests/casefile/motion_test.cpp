@@ -64,7 +64,7 @@ TEST_CASE("the history of a motion is in millimetres, or in degrees of rotation"
   const Motion moved = read(beam + recorded).motions.at(0);
   REQUIRE(moved.history.size() == 2);
   CHECK(moved.history[1] == std::array{1.5, -0.02});
-  CHECK(moved.value() == 0.0);
+  CHECK(moved.value() == 1.0);
   const Motion turned = read(beam + recorded + "rotation = true\n").motions.at(0);
   CHECK(turned.is_rotation());
   CHECK(turned.history[1][0] == 1.5);
