@@ -118,6 +118,27 @@ double evaluation_time(const span::SpanAtRest& span) {
   return best / static_cast<double>(span.built.section_points());
 }
 
+double slipping_time(const section::Law& law, std::size_t points, const SlippingCycle& cycle) {
+  constexpr double most_seconds = 0.1;
+  section::Field strains(law.dimension(), points);
+  section::Field stresses(law.dimension(), points);
+  section::TangentField tangents(law.dimension(), points);
+  section::StepEnergy energy(points);
+  std::ranges::fill(strains[section::Component::axial], cycle.axial_strain);
+  section::History history = law.start(strains);
+  const std::clock_t start = std::clock();
+  const auto seconds = [&] { return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC; };
+  int step = 0;
+  while (step < cycle.steps && seconds() < most_seconds) {
+    ++step;
+    std::ranges::fill(strains[section::Component::bending2],
+                      cycle.amplitude * std::sin(2 * std::numbers::pi * step / cycle.steps));
+    law.commit(history, strains, energy);
+    law.respond(history, strains, stresses, cycle.tangents ? &tangents : nullptr);
+  }
+  return seconds() / static_cast<double>(2 * step) / static_cast<double>(points);
+}
+
 void add_span(const build::BuiltSpan& span, Outlook& outlook) {
   SpanFacts facts{.length = span.length,
                   .tension = span.tension,

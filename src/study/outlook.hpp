@@ -17,6 +17,16 @@ void add_steps(double steps, const VibrationPlan& plan, const build::Integration
 /// [s] of one evaluation of a section, elements included, by a few evaluations of the forces of this very span.
 double evaluation_time(const span::SpanAtRest& span);
 
+/// [s] the same of `points` sections around a cycle of curvature in which wires slip, each step committed and asked for
+/// forces.
+struct SlippingCycle {
+  double axial_strain = 0;
+  double amplitude = 0.05;  ///< [1/m]
+  int steps = 64;
+  bool tangents = false;  ///< asked for tangents, too
+};
+double slipping_time(const section::Law& law, std::size_t points, const SlippingCycle& cycle);
+
 /// [B] that the program holds at the moment.
 double memory_in_use();
 

@@ -1,8 +1,5 @@
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "entries.hpp"
 #include "outlook.hpp"
@@ -50,27 +47,14 @@ class Section final : public Analysis {
   }
 
  private:
-  /// [s] around a cycle in which wires slip.
   double seconds_of_evaluation() const {
-    constexpr int steps = 64;
-    const auto law = build::build_law(scene_, dimension_of(scene_));
+    const auto& keys = scene_.as<casefile::SectionAnalysis>();
     const std::vector<double> tensions = casefile::section_tensions(scene_);
-    const auto& amplitudes = scene_.as<casefile::SectionAnalysis>().curvature_amplitudes;
-    const double amplitude = amplitudes.empty() ? 0.05 : std::ranges::max(amplitudes);
-    const AxialState axial =
-        axial_state(build::section_numbers(scene_), casefile::Twist::held, tensions.empty() ? 0 : tensions.front());
-    section::Field strains(law->dimension(), 1);
-    section::Field stresses(law->dimension(), 1);
-    section::StepEnergy energy(1);
-    strains[section::Component::axial][0] = axial.strain;
-    section::History history = law->start(strains);
-    const auto start = std::chrono::steady_clock::now();
-    for (int step = 1; step <= steps; ++step) {
-      strains[section::Component::bending2][0] = amplitude * std::sin(2 * std::numbers::pi * step / steps);
-      law->commit(history, strains, energy);
-      law->respond(history, strains, stresses, nullptr);
-    }
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / (2 * steps);
+    const double tension = tensions.empty() ? 0 : tensions.front();
+    return slipping_time(*build::build_law(scene_, dimension_of(scene_)), 1,
+                         {.axial_strain = tension / build::section_numbers(scene_).EA,
+                          .amplitude = keys.curvature_amplitudes.empty() ? 0.05 : keys.curvature_amplitudes.front(),
+                          .steps = keys.steps_per_cycle});
   }
 
   const Scene& scene_;
