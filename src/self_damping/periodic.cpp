@@ -98,7 +98,7 @@ Expected PeriodicMethod::expected(const std::vector<Point>& points) const {
     const double coefficients = 2.0 * options_.harmonics + 1;
     const double loop = static_cast<double>(span.section_points()) * options_.samples * 4 * coefficients / 11;
     expected +=
-        gives ? Expected{.least = 4 * loop, .most = 38 * loop} : Expected{.least = 12 * loop, .most = 115 * loop};
+        gives ? Expected{.least = 4 * loop, .most = 38 * loop} : Expected{.least = 20 * loop, .most = 190 * loop};
   }
   return expected;
 }

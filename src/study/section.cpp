@@ -4,6 +4,7 @@
 #include "entries.hpp"
 #include "outlook.hpp"
 #include "section_parts.hpp"
+#include "strandyn/exact/full_slip.hpp"
 
 namespace strandyn::study {
 
@@ -47,14 +48,27 @@ class Section final : public Analysis {
   }
 
  private:
+  /// [s] the mean over the curvatures that are asked for, at the highest tension.
   double seconds_of_evaluation() const {
     const auto& keys = scene_.as<casefile::SectionAnalysis>();
     const std::vector<double> tensions = casefile::section_tensions(scene_);
-    const double tension = tensions.empty() ? 0 : tensions.front();
-    return slipping_time(*build::build_law(scene_, dimension_of(scene_)), 1,
-                         {.axial_strain = tension / build::section_numbers(scene_).EA,
-                          .amplitude = keys.curvature_amplitudes.empty() ? 0.05 : keys.curvature_amplitudes.front(),
-                          .steps = keys.steps_per_cycle});
+    const double tension = tensions.empty() ? 0 : std::ranges::max(tensions);
+    std::vector<double> amplitudes = keys.curvature_amplitudes;
+    for (double over : keys.relative_amplitudes) {
+      amplitudes.push_back(over * exact::full_slip(scene_.conductor->strand, tension).chi_0);
+    }
+    if (amplitudes.empty()) amplitudes = {0.05};
+    const auto law = build::build_law(scene_, dimension_of(scene_));
+    // All loops are led together, as the kernels want it.
+    const std::size_t loops = amplitudes.size() * std::max<std::size_t>(1, tensions.size());
+    double sum = 0;
+    for (double amplitude : amplitudes) {
+      sum += slipping_time(*law, loops,
+                           {.axial_strain = tension / build::section_numbers(scene_).EA,
+                            .amplitude = amplitude,
+                            .steps = keys.steps_per_cycle});
+    }
+    return sum / static_cast<double>(amplitudes.size());
   }
 
   const Scene& scene_;
