@@ -8,9 +8,11 @@ namespace strandyn::results {
 namespace {
 
 /// Unit suffixes of keys, the longer before those they end with.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 40> unit_suffixes = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 43> unit_suffixes = {{
     {"_N_s_per_m2", "N s/m²"},
     {"_N_s_per_m", "N s/m"},
+    {"_kg_m_per_s", "kg m/s"},
+    {"_N_s", "N s"},
     {"_kg_per_m3", "kg/m³"},
     {"_kg_per_m", "kg/m"},
     {"_N_per_mm", "N/mm"},
@@ -49,6 +51,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 40> unit_suf
     {"_MPa", "MPa"},
     {"_Pa", "Pa"},
     {"_kg", "kg"},
+    {"_B", "B"},
 }};
 
 }  // namespace
@@ -56,6 +59,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 40> unit_suf
 Label label_of(std::string_view key) {
   if (const auto dot = key.rfind('.'); dot != std::string_view::npos) {
     const Label last = label_of(key.substr(dot + 1));
+    const Label whole = label_of(key.substr(0, dot));
+    if (last.unit.empty() && !whole.unit.empty()) return {whole.name + " " + last.name, whole.unit};
     return {std::string(key.substr(0, dot + 1)) + last.name, last.unit};
   }
   if (key == "t_s") return {"time", "s"};

@@ -33,6 +33,9 @@ TEST_CASE("label: the unit of a key is taken off, the longest that fits") {
   check("m", "m", "");
   check("t_s", "time", "s");
   check("steady.friction_J", "steady.friction", "J");
+  check("displacement_m.min", "displacement min", "m");
+  check("impulse_N_s", "impulse", "N s");
+  check("linear_kg_m_per_s", "linear", "kg m/s");
 }
 
 TEST_CASE("label: parts of an energy are named by what sets them apart, other keys by all of their words") {

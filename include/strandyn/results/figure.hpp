@@ -2,11 +2,13 @@
 /// \file What is worth looking at, said beside the data: figures over the tables of a folder, and the numbers that a
 /// reader looks for first. Whoever draws (report) knows no analysis.
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "strandyn/results/label.hpp"
 #include "strandyn/results/record.hpp"
 
 namespace strandyn::results {
@@ -76,7 +78,12 @@ class HighlightReader {
   void record(const char* key, R& x, const About&) {
     HighlightReader inner(prefix_ + key + ".");
     inner.part(x);
-    found.insert(found.end(), inner.found.begin(), inner.found.end());
+    for (Highlight& highlight : inner.found) {
+      // A record of which there are several says which one it is.
+      const bool taken = std::ranges::find(found, highlight.name, &Highlight::name) != found.end();
+      if (taken) highlight.name += ", " + label_of(key).name;
+      found.push_back(std::move(highlight));
+    }
   }
   template <class R>
   void list(const char*, R&, const About&) {}
