@@ -18,10 +18,13 @@ std::string table_of(const std::vector<results::MemberNote>& notes) {
 std::string outputs_reference() {
   std::string text =
       "# What a run leaves\n\n"
-      "`strandyn schema --results` prints this page. The unit stands in the name. A path is what an `[accept]` table "
-      "and\n`max`, `min`, `sum` take: `cycles[-1].friction_dissipation_J`. The columns of a CSV file are the members "
-      "of "
-      "the list\nthat it is the file of: `cycles.csv` has those of `cycles[]`. What is not there was not computed.\n\n"
+      "`strandyn schema --results` prints this page. The unit stands in the name. An `[accept]` table takes these "
+      "paths,\n"
+      "with the number of an entry, or `max`, `min`, `sum`, in the brackets: `cycles[-1].kinetic_J`, "
+      "`cycles[max].kinetic_J`.\n"
+      "The columns of a CSV file are the members of the list that it is the file of: `cycles.csv` has those of "
+      "`cycles[]`.\n"
+      "What is not there was not computed.\n\n"
       "## In every summary.json\n\n";
   text += table_of(notes_of_frame());
   for (const Entry& entry : entries) {
