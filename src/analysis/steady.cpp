@@ -14,7 +14,8 @@ SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbe
   double numerical = 0;
   for (std::size_t i = cycles.size() - s.cycles; i < cycles.size(); ++i) {
     s.antinode_amplitude += weight * cycles[i].antinode_amplitude;
-    s.dissipation += weight * (cycles[i].friction + cycles[i].viscous);
+    s.dissipation += weight * (cycles[i].friction + cycles[i].material + cycles[i].viscous);
+    s.air += weight * cycles[i].air;
     numerical += weight * cycles[i].numerical;
   }
   s.self_damping = s.dissipation * span.frequency / span.length;
@@ -22,7 +23,7 @@ SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbe
   const double V = omega * s.antinode_amplitude;
   if (V > 0) s.damping_ratio = 2 * s.self_damping / (span.mass_per_length * omega * V * V);
   s.loss_factor = 2 * s.damping_ratio;
-  if (s.dissipation > 0) s.numerical_share = std::abs(numerical) / s.dissipation;
+  if (s.dissipation + s.air > 0) s.numerical_share = std::abs(numerical) / (s.dissipation + s.air);
   return s;
 }
 

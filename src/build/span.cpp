@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parts.hpp"
+#include "strandyn/build/losses.hpp"
 
 namespace strandyn::build {
 namespace {
@@ -139,6 +140,8 @@ BuiltSpan build_span(const casefile::Scene& scene) {
   built.model.inertia = section_inertia(scene, numbers);
   built.model.mass_matrix = scene.span->mass;
   built.model.drag = scene.damping.drag;
+  built.model.surroundings = surroundings(scene);
+  built.model.material = material_branches(scene);
   add_supports(scene, built);
   add_loads(scene, built);
   add_motions(scene, built);

@@ -144,6 +144,8 @@ void keys(V& v, Scene& s) {
   v.tables("body", s.bodies, {.help = "lumped masses, springs and dampers on the span"});
   v.table("initial", s.initial, {.help = "how the span moves at the start"});
   v.table("damping", s.damping, {.help = "viscous damping beside the friction of the conductor"});
+  v.table("air", s.air, {.help = "still air around the span, which takes what no self-damping takes"});
+  v.table("material", s.material, {.help = "damping of the metal of the wires"});
   v.table("static", s.static_, {.help = "static equilibrium"});
   v.table("integrator", s.integrator, {.help = "the integration in time"});
   v.table("analysis", s.analysis, {.help = "what is computed", .required = true});

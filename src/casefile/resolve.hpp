@@ -13,6 +13,9 @@ void resolve_conductor(Conductor& conductor, const Source& source);
 /// follow, histories that step back.
 void resolve_loads(Scene& scene);
 
+/// The checks of [air] and [material].
+void check_losses(const Scene& scene);
+
 /// The checks of a sweep: its ends and its periodic response.
 void check_sweep(const Scene& scene);
 

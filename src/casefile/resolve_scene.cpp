@@ -219,6 +219,7 @@ void check_analysis(const Scene& scene) {
   check_static(scene);
   check_transient(scene);
   check_sweep(scene);
+  check_losses(scene);
   check_self_damping(scene);
 }
 

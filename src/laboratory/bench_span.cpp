@@ -32,6 +32,7 @@ BenchSpan::BenchSpan(build::BuiltSpan built, const build::Shaker& shaker, int mo
   span_.apply_static_loads();
   span::set_proportional_damping(span_);
   find_mode();
+  span_.system.set_swing(frequency_);
   find_response();
 }
 

@@ -19,13 +19,16 @@ LedgerReading read_ledger(const SteadyRun& steady, double length) {
   const double weight = 1 / static_cast<double>(steady.cycles.size());
   for (const observe::Cycle& cycle : steady.cycles) {
     route.friction += weight * cycle.friction;
+    route.material += weight * cycle.material;
     route.viscous += weight * cycle.viscous;
+    route.air += weight * cycle.air;
     route.numerical += weight * cycle.numerical;
     route.quadrature_error += weight * cycle.quadrature_error;
   }
-  const double lost = route.friction + route.viscous;
+  const double lost = route.friction + route.material + route.viscous;
   route.power = lost * steady.drive.frequency / length;
-  if (lost > 0) route.numerical_share = std::abs(route.numerical) / lost;
+  route.air_power = route.air * steady.drive.frequency / length;
+  if (lost + route.air > 0) route.numerical_share = std::abs(route.numerical) / (lost + route.air);
   return route;
 }
 
@@ -39,7 +42,7 @@ PowerReading read_power(const SteadyRun& steady, double length) {
           .phase = std::abs(steady.force * velocity) > 0 ? std::arg(steady.force / velocity) : 0};
 }
 
-/// [W] mean that viscous forces take at each node.
+/// [W] mean that viscous forces take at each node, those of the air not among them.
 std::vector<double> viscous_by_node(const span::SpanAtRest& span, const Eigen::VectorXcd& velocity) {
   std::vector<double> power(span.built.model.nodes.size(), 0.0);
   const std::size_t per_node = span.built.model.unknowns_per_node();
@@ -54,6 +57,9 @@ std::vector<double> viscous_by_node(const span::SpanAtRest& span, const Eigen::V
       const auto at = static_cast<Eigen::Index>(i);
       if (span.system.has_mass(i)) power[i / per_node] += part(at) * (forward(at) - backward(at)) / 4;
     }
+    if (span.system.air().is_none()) continue;
+    const std::vector<double> air = span.system.air_on_chain().power_by_node(span.system.air(), part.data());
+    for (std::size_t node = 0; node < power.size(); ++node) power[node] -= air[node] / 2;
   }
   return power;
 }
@@ -63,7 +69,22 @@ double overlap(double low, double high, double from, double to) {
   return std::max(0.0, std::min(high, to) - std::max(low, from));
 }
 
-/// [W] the ledger by position: every section point stands for half of its element, every node for half of both.
+/// [W] of what nodes take, each for half of the elements beside it, the part that lies between two places.
+double of_nodes_between(const std::vector<double>& arc, const std::vector<double>& by_node, double from, double to) {
+  double power = 0;
+  for (std::size_t node = 0; node < arc.size(); ++node) {
+    const double left = node == 0 ? arc[0] : (arc[node - 1] + arc[node]) / 2;
+    const double right = node + 1 == arc.size() ? arc[node] : (arc[node] + arc[node + 1]) / 2;
+    power += by_node[node] * overlap(left, right, from, to) / (right - left);
+  }
+  return power;
+}
+
+Eigen::VectorXcd velocity_of(const SteadyRun& steady) {
+  return std::complex<double>(0, 2 * pi * steady.drive.frequency) * steady.motion;
+}
+
+/// [W] the ledger by position: every section point stands for half of its element.
 double lost_between(const BenchSpan& bench, const SteadyRun& steady, double from, double to) {
   const span::SpanAtRest& span = bench.at_rest();
   const std::vector<double> arc = model::arc_lengths(span.built.model);
@@ -72,17 +93,10 @@ double lost_between(const BenchSpan& bench, const SteadyRun& steady, double from
     const std::size_t element = point / beam::gauss_points;
     const double half = (arc[element + 1] - arc[element]) / 2;
     const double start = arc[element] + half * static_cast<double>(point % beam::gauss_points);
-    power += steady.drive.frequency * steady.profile.friction[point] * span.system.point_length(point) *
-             overlap(start, start + half, from, to) / half;
+    power += steady.drive.frequency * (steady.profile.friction[point] + steady.profile.material[point]) *
+             span.system.point_length(point) * overlap(start, start + half, from, to) / half;
   }
-  const Eigen::VectorXcd velocity = std::complex<double>(0, 2 * pi * steady.drive.frequency) * steady.motion;
-  const std::vector<double> viscous = viscous_by_node(span, velocity);
-  for (std::size_t node = 0; node < arc.size(); ++node) {
-    const double left = node == 0 ? arc[0] : (arc[node - 1] + arc[node]) / 2;
-    const double right = node + 1 == arc.size() ? arc[node] : (arc[node] + arc[node + 1]) / 2;
-    power += viscous[node] * overlap(left, right, from, to) / (right - left);
-  }
-  return power;
+  return power + of_nodes_between(arc, viscous_by_node(span, velocity_of(steady)), from, to);
 }
 
 std::vector<LoopPoint> loop_points(const BenchSpan& bench, const SteadyRun& steady) {
@@ -156,6 +170,10 @@ std::optional<IswrReading> read_iswr(const BenchSpan& bench, const SteadyRun& st
   route.by_string = analysis::iswr_method(
       route.nodes, {.tension = bench.at_rest().built.tension, .mass_per_length = mass}, steady.drive.frequency);
   route.ledger = lost_between(bench, steady, from, to) / (to - from);
+  const system::System& system = bench.at_rest().system;
+  route.air = of_nodes_between(model::arc_lengths(system.model()),
+                               system.air_on_chain().swing_power_by_node(system.air(), velocity_of(steady)), from, to) /
+              (to - from);
   return route;
 }
 

@@ -33,7 +33,7 @@ bool is_steady(const Stretch& stretch, double energy) {
     const Cycle& cycle = stretch.cycles[i];
     flows.push_back({.amplitude = std::abs(stretch.modal[i]),
                      .in = cycle.external_work,
-                     .lost = cycle.friction + cycle.viscous + cycle.numerical});
+                     .lost = cycle.dissipated() + cycle.numerical});
   }
   return analysis::is_steady(flows, 1e-7 * energy);
 }
@@ -210,7 +210,7 @@ class Bench {
   /// Let go some cycles above the measured amplitude, so that it is passed on the way.
   void decay() {
     double loss = 0;
-    for (const Cycle& cycle : run_.steady.cycles) loss += (cycle.friction + cycle.viscous) / keys_.cycles;
+    for (const Cycle& cycle : run_.steady.cycles) loss += cycle.dissipated() / keys_.cycles;
     const double decrement = loss / (2 * energy(run_.steady.modal_amplitude));
     constexpr double cycles_above = 4;
     Drive drive = drive_;
@@ -222,7 +222,7 @@ class Bench {
     const Stretch stretch = vibrate({.frequency = drive_.frequency}, keys_.decay_cycles);
     run_.stopped = stretch.stopped;
     for (const std::complex<double>& q : stretch.modal) run_.decay.push_back(std::abs(q));
-    for (const Cycle& cycle : stretch.cycles) run_.decay_losses.push_back(cycle.friction + cycle.viscous);
+    for (const Cycle& cycle : stretch.cycles) run_.decay_losses.push_back(cycle.dissipated());
   }
 
   BenchSpan& bench_;

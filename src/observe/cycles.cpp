@@ -32,6 +32,7 @@ void CycleObserver::restart(const system::System& system) {
   curvature_.restart(system.committed_strains().points());
   curvature_3_.restart(curvature_.low.size());
   friction_.assign(system.committed_strains().points(), 0.0);
+  material_ = friction_;
 }
 
 void CycleObserver::watch(const system::System& system, const StepRecord& record) {
@@ -47,6 +48,10 @@ void CycleObserver::step(const system::System& system, const StepRecord& record)
   ledger_.step(system, record);
   const AlignedVector& dissipated = system.step_energy().dissipated;
   for (std::size_t point = 0; point < friction_.size(); ++point) friction_[point] += dissipated[point];
+  if (!system.material().is_empty()) {
+    const AlignedVector& of_metal = system.material().dissipated();
+    for (std::size_t point = 0; point < material_.size(); ++point) material_[point] += of_metal[point];
+  }
   watch(system, record);
 
   const double rounding = 1e-9 * options_.period;
@@ -64,7 +69,7 @@ void CycleObserver::step(const system::System& system, const StepRecord& record)
 
 void CycleObserver::archive(Archive& a) {
   a(ledger_, before_, cycle_start_, time_before_, cycles_, count_);
-  a(deflection_, curvature_, curvature_3_, friction_, kept_);
+  a(deflection_, curvature_, curvature_3_, friction_, material_, kept_);
 }
 
 void CycleObserver::end_cycle(const Account& at_end, double time) {
@@ -73,16 +78,18 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
               .kinetic = at_end.kinetic,
               .elastic = at_end.elastic,
               .friction = at_end.friction - cycle_start_.friction,
+              .material = at_end.material - cycle_start_.material,
               .viscous = at_end.viscous.total() - cycle_start_.viscous.total(),
               .viscous_parts =
                   system::of_each_term([&](auto term) { return at_end.viscous.*term - cycle_start_.viscous.*term; }),
+              .air = at_end.air - cycle_start_.air,
               .numerical = at_end.numerical() - cycle_start_.numerical(),
               .quadrature_error = at_end.quadrature_error - cycle_start_.quadrature_error,
               .internal_work = at_end.internal_work - cycle_start_.internal_work};
   for (std::size_t i = 0; i < places_->size(); ++i) {
     cycle.antinode_amplitude = std::max(cycle.antinode_amplitude, deflection_.amplitude(i));
   }
-  PointRecord points{.friction = friction_, .curvature_amplitude = {}};
+  PointRecord points{.friction = friction_, .material = material_, .curvature_amplitude = {}};
   for (std::size_t point = 0; point < friction_.size(); ++point) {
     const bool spatial = !system_is_planar_;
     points.curvature_amplitude.push_back(
@@ -108,6 +115,7 @@ Profile CycleObserver::profile(const system::System& system) const {
   const std::size_t points = system.committed_strains().points();
   Profile profile{.position = {},
                   .friction = std::vector<double>(points, 0.0),
+                  .material = std::vector<double>(points, 0.0),
                   .curvature_amplitude = std::vector<double>(points, 0.0),
                   .cycles = kept_.size()};
   const std::vector<double> arc = model::arc_lengths(system.model());
@@ -118,6 +126,7 @@ Profile CycleObserver::profile(const system::System& system) const {
     for (const PointRecord& record : kept_) {
       const double weight = 1 / static_cast<double>(kept_.size());
       profile.friction[point] += weight * record.friction[point];
+      profile.material[point] += weight * record.material[point];
       profile.curvature_amplitude[point] += weight * record.curvature_amplitude[point];
     }
   }

@@ -16,9 +16,15 @@ Vector3d total(const model::Model& model, const Vector& vector) {
   return sum;
 }
 
-/// What drag and dampers take from the momentum. [N]
-Vector3d viscous_force(const model::Model& model, const Vector& v) {
+/// What drag, air and dampers take from the momentum. [N]
+Vector3d viscous_force(const system::System& system, const Vector& v) {
+  const model::Model& model = system.model();
   Vector3d sum = Vector3d::Zero();
+  if (!system.air().is_none()) {
+    Vector force = system.make_vector();
+    system.air_on_chain().add_force(system.air(), v.data(), force.data());
+    sum += total(model, force);
+  }
   for (std::size_t e = 0; e < model.elements.size(); ++e) {
     const double share = model.drag * model.elements[e].length / 2;
     for (std::size_t node : {e, e + 1}) sum += share * model.displacement(v.data(), node);
@@ -89,7 +95,7 @@ Vector3d MomentumObserver::outer_force(const system::System& system, const StepR
     if (system.is_held(i)) external(static_cast<Eigen::Index>(i)) = resistance(static_cast<Eigen::Index>(i));
   }
   // Of the internal forces only those of springs to the ground are left in the sum.
-  return total(model, external) - total(model, record.internal) - viscous_force(model, record.v);
+  return total(model, external) - total(model, record.internal) - viscous_force(system, record.v);
 }
 
 Vector3d MomentumObserver::find_momentum(const system::System& system, const StepRecord& record) {

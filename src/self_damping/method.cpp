@@ -61,6 +61,7 @@ std::optional<PointRow> compute_row(const Scene& scene, const Method& method, co
   }
   row.self_damping = result.self_damping;
   row.free_span = result.free_span;
+  row.parts = result.parts;
   row.vibration = std::move(result.vibration);
   row.bench = std::move(result.bench);
   row.details = std::move(result.details);

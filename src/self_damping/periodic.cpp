@@ -42,8 +42,6 @@ PointResult result_of(const ShakenSpan& shaken, const Point& point, const Resona
                   .sticking_frequency = shaken.mode().frequency,
                   .resonance = frequency,
                   .reached_amplitude = found.antinode_amplitude,
-                  .friction = span::friction_of(s) * frequency / length,
-                  .viscous = s.viscous.total() * frequency / length,
                   .drive_power = s.drive_power,
                   .mean_tension = strains.mean_tension,
                   .highest_tension = strains.highest_tension,
@@ -52,19 +50,27 @@ PointResult result_of(const ShakenSpan& shaken, const Point& point, const Resona
                   .loop_cycles = s.cycles,
                   .loop_closure = s.loop_gap};
   (shaken.drive_kind() == solver::DriveKind::force ? v.drive_force : v.drive_motion) = s.state.drive;
-  if (span::losses_of(s) > 0) v.imbalance = s.imbalance();
+  LossParts parts{.friction = span::friction_of(s) * frequency / length,
+                  .material = s.material * frequency / length,
+                  .viscous = s.viscous.total() * frequency / length,
+                  .air = s.air * frequency / length};
+  if (span::losses_of(s) + s.air > 0) v.imbalance = s.imbalance();
   const double velocity = 2 * pi * frequency * point.antinode_amplitude;
   v.loss_factor = analysis::loss_factor(analysis::damping_ratio(
       result.self_damping,
       {.mass_per_length = built.model.inertia.mass, .frequency = frequency, .velocity = velocity}));
   v.effective_EI = effective_stiffness(built, point, frequency, strains.mean_tension);
   if (const auto free = shaken.free_span(s, strains)) {
-    result.free_span = free->friction * frequency / (free->to - free->from);
+    const double per_length = frequency / (free->to - free->from);
+    result.free_span = (free->friction + free->material) * per_length;
+    parts.material_free_span = free->material * per_length;
+    parts.air_free_span = free->air * per_length;
     v.free_span_from = free->from;
     v.free_span_to = free->to;
     v.free_span_curvature = free->curvature;
     v.highest_curvature = free->highest;
   }
+  result.parts = parts;
   result.vibration = v;
   return result;
 }

@@ -41,7 +41,9 @@ std::optional<double> ratio(double power, double reference) {
 
 LedgerRow row_of(const laboratory::LedgerReading& reading) {
   LedgerRow row{.friction = reading.friction,
+                .material = reading.material,
                 .viscous = reading.viscous,
+                .air = reading.air,
                 .numerical = reading.numerical,
                 .quadrature_error = reading.quadrature_error,
                 .power = reading.power,
@@ -53,7 +55,7 @@ LedgerRow row_of(const laboratory::LedgerReading& reading) {
 IswrRow row_of(const laboratory::IswrReading& reading) {
   return {.power = reading.power,
           .ledger = reading.ledger,
-          .over_ledger = ratio(reading.power, reading.ledger),
+          .over_ledger = ratio(reading.power, reading.ledger + reading.air),
           .by_string = reading.by_string,
           .nodes = {reading.near_position, reading.far_position},
           .loops = reading.loops,
@@ -84,7 +86,7 @@ BenchReadings readings_of(const BenchSpan& bench, const BenchRun& run, const Rea
                     .ledger = row_of(all.ledger),
                     .power = {.power = all.power.from_phasors,
                               .from_work = all.power.from_work,
-                              .over_ledger = ratio(all.power.from_phasors, all.ledger.power),
+                              .over_ledger = ratio(all.power.from_phasors, all.ledger.power + all.ledger.air_power),
                               .phase = all.power.phase * 180 / std::numbers::pi},
                     .steps_per_cycle = run.cost.steps_per_cycle,
                     .cycles_until_steady = run.cost.cycles_until_steady,
@@ -93,7 +95,7 @@ BenchReadings readings_of(const BenchSpan& bench, const BenchRun& run, const Rea
                     .steps = run.cost.steps};
   (bench.moves() ? out.shaker_amplitude : out.shaker_force) = run.steady.drive.amplitude;
   if (all.iswr) out.iswr = row_of(*all.iswr);
-  if (all.decay) out.decay = row_of(*all.decay, all.ledger.power);
+  if (all.decay) out.decay = row_of(*all.decay, all.ledger.power + all.ledger.air_power);
   return out;
 }
 
@@ -102,7 +104,7 @@ void check_numerical_share(const Scene& scene, const laboratory::LedgerReading& 
   const double bound = scene.integrator.max_numerical_share.value_or(casefile::default_numerical_share);
   if (!ledger.numerical_share || *ledger.numerical_share <= bound) return;
   throw ComputationError(
-      fmt::format("the numerical part of the ledger is {:.3g} % of what friction and viscous damping take, above the "
+      fmt::format("the numerical part of the ledger is {:.3g} % of all physical losses, above the "
                   "bound of {:.3g} %: give more [integrator] steps_per_cycle, or step = \"auto\"",
                   100 * *ledger.numerical_share, 100 * bound));
 }
@@ -131,7 +133,15 @@ PointResult TransientMethod::at(const Point& point, const Watch& watch) const {
   const Readings readings = laboratory::read_all(bench, run);
   check_numerical_share(scene_, readings.ledger);
   result.self_damping = readings.ledger.power;
-  if (readings.iswr) result.free_span = readings.iswr->ledger;
+  const double per_length = run.steady.drive.frequency / bench.at_rest().built.length;
+  result.parts = {.friction = readings.ledger.friction * per_length,
+                  .material = readings.ledger.material * per_length,
+                  .viscous = readings.ledger.viscous * per_length,
+                  .air = readings.ledger.air_power};
+  if (readings.iswr) {
+    result.free_span = readings.iswr->ledger;
+    result.parts->air_free_span = readings.iswr->air;
+  }
   result.bench = readings_of(bench, run, readings);
   return result;
 }

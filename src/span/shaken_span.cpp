@@ -164,9 +164,16 @@ std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& so
     if (inside <= 0) continue;
     const double weight = span_.system.point_length(p) * inside / part;
     if (solution.sections.friction[p] > 0) free.friction += weight * solution.sections.loop_work[p];
+    free.material += weight * solution.sections.material[p];
     squares += weight * solution.sections.curvature_amplitude[p] * solution.sections.curvature_amplitude[p];
     length += weight;
     free.highest = std::max(free.highest, strains.curvature[p]);
+  }
+  for (std::size_t node = 0; node < solution.air_by_node.size(); ++node) {
+    const double left = node == 0 ? arc[0] : (arc[node - 1] + arc[node]) / 2;
+    const double right = node + 1 == arc.size() ? arc[node] : (arc[node] + arc[node + 1]) / 2;
+    const double inside = std::min(right, free.to) - std::max(left, free.from);
+    if (inside > 0) free.air += solution.air_by_node[node] * inside / (right - left);
   }
   free.curvature = std::sqrt(2 * squares / length);
   return free;
@@ -206,7 +213,7 @@ double friction_of(const solver::PeriodicSolution& solution) {
 }
 
 double losses_of(const solver::PeriodicSolution& solution) {
-  return friction_of(solution) + solution.viscous.total();
+  return friction_of(solution) + solution.material + solution.viscous.total();
 }
 
 }  // namespace strandyn::span

@@ -17,15 +17,17 @@ TrialCycles::TrialCycles(const SpanAtRest& span, const Vector& shape, double fre
 double TrialCycles::loss(double amplitude) {
   constexpr int steps = 64;
   trial_.begin(span_.u);
-  double friction = 0;
+  trial_.start_clock(0);
+  double lost = 0;
   for (int i = 1; i <= 2 * steps; ++i) {
     const Vector u = span_.u + amplitude * std::sin(2 * pi * i / steps) * shape_;
-    const system::Accepted accepted = trial_.commit(u.data());
-    if (i > steps) friction += accepted.friction;
+    const system::Accepted accepted = trial_.commit(u.data(), 2 * pi / omega_ * i / steps);
+    if (i > steps) lost += accepted.friction + accepted.material;
   }
   const Vector velocity = amplitude * omega_ * shape_;
-  const double mean_power = span_.system.viscous_power(velocity.data()).total() / 2;
-  return friction + mean_power * 2 * pi / omega_;
+  const double mean_power =
+      (span_.system.viscous_power(velocity.data()).total() + span_.system.air_power(velocity.data())) / 2;
+  return lost + mean_power * 2 * pi / omega_;
 }
 
 double TrialCycles::damping_ratio(double amplitude) {

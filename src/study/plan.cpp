@@ -135,6 +135,10 @@ std::string words_of(const VibrationPlan& plan, const build::Integration& integr
 void check_plan(const Scene& scene, const build::BuiltSpan& span, const PlanAsk& ask) {
   const std::vector<NamedMode> modes = named_modes(scene, ask);
   for (const NamedMode& mode : modes) build::require_modes(scene, span, mode.number, mode.key);
+  if (scene.air && !scene.air->frequency && !has_drive(scene) && !scene.initial && !ask.mode) {
+    refuse(scene.source, "air.frequency_Hz", "is missing, and nothing names a frequency for the force of the air",
+           "give the frequency in hertz at which the span swings");
+  }
   if (ask.counts_cycles && !has_drive(scene) && !scene.initial && !ask.mode) {
     refuse(scene.source, "analysis.type", "nothing names a frequency, so there is no cycle to count",
            "give a [[load]] of type \"harmonic-force\", or [initial] velocity_mode");
@@ -165,6 +169,10 @@ VibrationPlan plan_vibration(const Scene& scene, const build::Integration& integ
     if (ask.antinode_amplitude) {
       plan.velocity = *ask.antinode_amplitude * 2 * std::numbers::pi * m.frequency * span::unit_antinode(span, m);
     }
+  }
+  if (scene.air) {
+    const double swing = scene.air->frequency.value_or(plan.frequency);
+    if (swing > 0) span.system.set_swing(swing);
   }
   if (!modes.empty()) plan.shape = span::unit_antinode(span, ask.mode ? mode(*ask.mode) : modes.back());
   choose_step(scene, integration, ask.mode.has_value(), span, plan);

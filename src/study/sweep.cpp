@@ -19,16 +19,18 @@ namespace {
 /// The columns of sweep.csv and the members of `sweep`.
 struct SweepRow {
   double frequency = 0, antinode_amplitude = 0, phase = 0;
-  double dissipated_power = 0, friction = 0, viscous = 0, drive_power = 0;
+  double dissipated_power = 0, friction = 0, material = 0, viscous = 0, air = 0, drive_power = 0;
 };
 template <class V>
 void members(V& v, SweepRow& r) {
   v.value("frequency_Hz", r.frequency, {.what = "of the drive"});
   v.value("antinode_amplitude_m", r.antinode_amplitude, {.what = "half of peak to peak at the antinode"});
   v.value("phase_deg", r.phase, {.what = "by which the driven point follows the force"});
-  v.value("dissipated_power_W", r.dissipated_power, {.what = "friction and viscous damping"});
+  v.value("dissipated_power_W", r.dissipated_power, {.what = "friction, material and viscous damping"});
   v.value("friction_W", r.friction, {.what = "by the loops of all sections"});
+  v.value("material_W", r.material, {.what = "by the metal of the wires"});
   v.value("viscous_W", r.viscous, {.what = "by viscous forces"});
+  v.value("air_W", r.air, {.what = "by still air, not in the dissipated power"});
   v.value("drive_power_W", r.drive_power, {.what = "of the drive"});
 }
 
@@ -55,7 +57,7 @@ void members(V& v, BackboneRow& b) {
   v.value("frequency_Hz", b.frequency, {.what = "of phase resonance there"});
   v.value("frequency_shift", b.frequency_shift, {.what = "relative to the mode with all wires sticking"});
   v.value("drive", b.drive, {.what = "that it takes, N or m"});
-  v.value("dissipated_power_W", b.dissipated_power, {.what = "friction and viscous damping"});
+  v.value("dissipated_power_W", b.dissipated_power, {.what = "friction, material and viscous damping"});
   v.value("mean_tension_N", b.mean_tension, {.what = "over a cycle"});
 }
 
@@ -177,7 +179,9 @@ class Sweep final : public Analysis {
                                .phase = 180 / pi * shaken.phase(s.state),
                                .dissipated_power = span::losses_of(s) * frequency,
                                .friction = span::friction_of(s) * frequency,
+                               .material = s.material * frequency,
                                .viscous = s.viscous.total() * frequency,
+                               .air = s.air * frequency,
                                .drive_power = s.drive_power});
       if (hooks.progress) {
         hooks.progress(

@@ -48,7 +48,8 @@ Components components(const Eigen::Vector3d& v) {
 /// One row of energies.csv: energies of the state, works and losses since the start.
 struct EnergyRow {
   double time = 0;
-  double kinetic = 0, elastic = 0, external_work = 0, friction = 0, viscous = 0, numerical = 0, quadrature_error = 0;
+  double kinetic = 0, elastic = 0, external_work = 0, friction = 0, material = 0, viscous = 0, air = 0;
+  double numerical = 0, quadrature_error = 0;
 };
 template <class V>
 void members(V& v, EnergyRow& e) {
@@ -57,7 +58,9 @@ void members(V& v, EnergyRow& e) {
   v.value("elastic_J", e.elastic, {.what = "elastic energy above that of the initial state"});
   v.value("external_work_J", e.external_work, {.what = "work of the loads and of moved supports"});
   v.value("friction_dissipation_J", e.friction, {.what = "friction between the wires"});
+  v.value("material_dissipation_J", e.material, {.what = "damping of the metal of the wires"});
   v.value("viscous_dissipation_J", e.viscous, {.what = "all viscous damping"});
+  v.value("air_dissipation_J", e.air, {.what = "still air"});
   v.value("numerical_dissipation_J", e.numerical, {.what = "what the other terms leave over"});
   v.value("quadrature_error_J", e.quadrature_error, {.what = "contained in the numerical part with a minus"});
 }
@@ -74,7 +77,7 @@ void members(V& v, EnergySummary& e) {
   v.value("initial_kinetic_J", e.initial_kinetic, {.what = "at the start"});
   v.value("largest_kinetic_J", e.largest_kinetic, {.what = "of all steps"});
   v.value("numerical_share", e.numerical_share,
-          {.what = "|numerical| over friction and viscous damping", .shown = "numerical share"});
+          {.what = "|numerical| over all physical losses", .shown = "numerical share"});
 }
 
 struct ProbeRange {
@@ -144,7 +147,7 @@ class EnergyHistory final : public observe::Observer {
     const observe::Account& a = ledger_.now();
     EnergySummary out{.end = rows_.back(), .initial_kinetic = a.initial_kinetic};
     out.largest_kinetic = std::ranges::max(rows_, {}, &EnergyRow::kinetic).kinetic;
-    const double lost = a.friction + a.viscous.total();
+    const double lost = a.dissipated();
     if (lost > 0) out.numerical_share = std::abs(a.numerical()) / lost;
     return out;
   }
@@ -158,7 +161,9 @@ class EnergyHistory final : public observe::Observer {
                      .elastic = a.elastic,
                      .external_work = a.external_work,
                      .friction = a.friction,
+                     .material = a.material,
                      .viscous = a.viscous.total(),
+                     .air = a.air,
                      .numerical = a.numerical(),
                      .quadrature_error = a.quadrature_error});
   }

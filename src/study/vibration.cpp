@@ -28,7 +28,7 @@ struct SteadyRow {
   std::size_t cycles = 0;
   double frequency = 0;
   std::vector<std::pair<std::string, double>> mean;  ///< of the members of a cycle
-  double self_damping = 0, loss_factor = 0, damping_ratio = 0;
+  double self_damping = 0, air = 0, loss_factor = 0, damping_ratio = 0;
   std::optional<double> numerical_share{};
   bool is_steady = false;
   double steps_per_cycle = 0;
@@ -48,11 +48,12 @@ void members(V& v, SteadyRow& s) {
                                  : nullptr});
   }
   v.value("self_damping_W_per_m", s.self_damping,
-          {.what = "friction and viscous damping over the length", .shown = "self-damping"});
+          {.what = "friction, material and viscous damping over the length", .shown = "self-damping"});
+  v.value("air_W_per_m", s.air, {.what = "still air over the length, not in the self-damping"});
   v.value("loss_factor", s.loss_factor, {.what = "twice the damping ratio"});
   v.value("damping_ratio", s.damping_ratio, {.what = "of the antinode's velocity", .shown = "damping ratio"});
   v.value("numerical_share", s.numerical_share,
-          {.what = "|numerical| over friction and viscous damping", .shown = "numerical share"});
+          {.what = "|numerical| over all physical losses", .shown = "numerical share"});
   v.value("is_steady", s.is_steady,
           {.what = "like amplitudes, and what comes in is what is lost, over the last 20 cycles"});
   v.value("steps_per_cycle", s.steps_per_cycle, {.what = "of the integration"});
@@ -93,15 +94,21 @@ bool is_steady(const std::vector<Cycle>& cycles) {
   std::vector<analysis::CycleFlow> flows;
   for (std::size_t i = cycles.size() - watched; i < cycles.size(); ++i) {
     const Cycle& c = cycles[i];
-    flows.push_back(
-        {.amplitude = c.antinode_amplitude, .in = c.external_work, .lost = c.friction + c.viscous + c.numerical});
+    flows.push_back({.amplitude = c.antinode_amplitude, .in = c.external_work, .lost = c.dissipated() + c.numerical});
   }
   return analysis::is_steady(flows);
 }
 
 SteadyRow steady_row(const VibrationPlan& plan, const Scene& scene, const std::vector<Cycle>& cycles) {
   std::vector<analysis::CycleLosses> losses;
-  for (const Cycle& c : cycles) losses.push_back({c.antinode_amplitude, c.friction, c.viscous, c.numerical});
+  for (const Cycle& c : cycles) {
+    losses.push_back({.antinode_amplitude = c.antinode_amplitude,
+                      .friction = c.friction,
+                      .material = c.material,
+                      .viscous = c.viscous,
+                      .air = c.air,
+                      .numerical = c.numerical});
+  }
   const analysis::SteadyState s =
       analysis::steady_state(losses, {.frequency = plan.frequency,
                                       .length = scene.span->total_length(),
@@ -110,6 +117,7 @@ SteadyRow steady_row(const VibrationPlan& plan, const Scene& scene, const std::v
                 .frequency = plan.frequency,
                 .mean = mean_of(cycles, s.cycles),
                 .self_damping = s.self_damping,
+                .air = s.air * plan.frequency / scene.span->total_length(),
                 .loss_factor = s.loss_factor,
                 .damping_ratio = s.damping_ratio,
                 .numerical_share = s.numerical_share,

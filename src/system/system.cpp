@@ -25,6 +25,8 @@ System::System(const model::Model& model)
       held_(model.unknowns(), false),
       mass_(model.unknowns(), false),
       drag_(Vector::Zero(static_cast<Eigen::Index>(model.unknowns()))),
+      air_on_chain_(model),
+      material_(model.material, chain_->dimension(), model.elements.size() * gauss_points),
       energy_(model.elements.size() * gauss_points),
       committed_(chain_->dimension(), model.elements.size() * gauss_points),
       strains_(committed_),
@@ -78,39 +80,43 @@ void System::held_rates(At at, double* v) const {
   }
 }
 
+void System::set_swing(double frequency) {
+  if (model_.surroundings) air_ = air::force_at(model_.surroundings->air, model_.surroundings->diameter, frequency);
+}
+
 void System::begin(const ConstVectorRef& u) {
   chain_->find_strains(u.data(), strains_);
   history_ = model_.law->start(strains_);
+  material_.relax();
+  clock_.reset();
   commit(u.data());
 }
 
-void System::internal_force(const double* u, double* f) const {
-  ++residual_evaluations_;
-  std::fill(f, f + unknowns(), 0.0);
+void System::find_stresses(const double* u, std::optional<double> time, section::TangentField* tangents) const {
   {
     const Stopwatch::Lap lap(stopwatch_, Part::element);
     chain_->find_strains(u, strains_);
   }
-  {
-    const Stopwatch::Lap lap(stopwatch_, Part::section);
-    effort_ += model_.law->respond(history_, strains_, stresses_, nullptr);
+  const Stopwatch::Lap lap(stopwatch_, Part::section);
+  effort_ += model_.law->respond(history_, strains_, stresses_, tangents);
+  if (!material_.is_empty() && clock_ && time) {
+    material_.respond(committed_, strains_, *time - *clock_, stresses_, tangents);
   }
+}
+
+void System::internal_force_at(const double* u, std::optional<double> time, double* f) const {
+  ++residual_evaluations_;
+  std::fill(f, f + unknowns(), 0.0);
+  find_stresses(u, time, nullptr);
   const Stopwatch::Lap lap(stopwatch_, Part::element);
   chain_->add_internal_force(stresses_, f);
   add_springs(u, f);
 }
 
-void System::internal_force(const double* u, double* f, Matrix& K) const {
+void System::internal_force_at(const double* u, std::optional<double> time, double* f, Matrix& K) const {
   ++jacobian_evaluations_;
   std::fill(f, f + unknowns(), 0.0);
-  {
-    const Stopwatch::Lap lap(stopwatch_, Part::element);
-    chain_->find_strains(u, strains_);
-  }
-  {
-    const Stopwatch::Lap lap(stopwatch_, Part::section);
-    effort_ += model_.law->respond(history_, strains_, stresses_, &tangents_);
-  }
+  find_stresses(u, time, &tangents_);
   const Stopwatch::Lap lap(stopwatch_, Part::element);
   K.set_zero();
   chain_->add_internal_force(stresses_, f);
@@ -119,15 +125,23 @@ void System::internal_force(const double* u, double* f, Matrix& K) const {
   for (const model::Body& body : model_.bodies) add_along(body, body.stiffness, K);
 }
 
+void System::internal_force(const double* u, double* f) const {
+  internal_force_at(u, {}, f);
+}
+
+void System::internal_force(const double* u, double* f, Matrix& K) const {
+  internal_force_at(u, {}, f, K);
+}
+
 void System::residual(const State& state, At at, double* r) const {
-  internal_force(state.u, r);
+  internal_force_at(state.u, at.time, r);
   if (!state.is_at_rest()) add_inertia_and_drag(state, r);
   external_force(at, state.u, load_.data());
   for (std::size_t i = 0; i < unknowns(); ++i) r[i] -= load_(static_cast<Eigen::Index>(i));
 }
 
 void System::residual(const State& state, At at, double* r, Matrix& K) const {
-  internal_force(state.u, r, K);
+  internal_force_at(state.u, at.time, r, K);
   subtract_external_tangent(at, state.u, K);
   if (!state.is_at_rest()) add_inertia_and_drag(state, r);
   external_force(at, state.u, load_.data());
@@ -143,7 +157,7 @@ void System::reactions(const State& state, At at, double* f) const {
 
 void System::forces(const State& state, At at, Vector& external, Vector& internal) const {
   external_force(at, state.u, external.data());
-  internal_force(state.u, internal.data());
+  internal_force_at(state.u, at.time, internal.data());
   if (!has_moving_supports()) return;
   load_ = internal;
   if (!state.is_at_rest()) add_inertia_and_drag(state, load_.data());
@@ -224,6 +238,7 @@ void System::add_inertia_and_drag(const State& m, double* f) const {
   if (model_.drag > 0) {
     for (std::size_t i = 0; i < unknowns(); ++i) f[i] += drag_(static_cast<Eigen::Index>(i)) * m.v[i];
   }
+  if (!air_.is_none()) air_on_chain_.add_force(air_, m.v, f);
   for (const model::Body& body : model_.bodies) {
     const double rate = body.direction.dot(model_.displacement(m.v, body.node));
     add_at_node(body.node, body.damping * rate * body.direction, f);
@@ -246,6 +261,7 @@ void System::add_inertia_and_drag(const State& m, InertiaFactors factors, Matrix
       K.add_at_node(i, i, factors.velocity * drag_(static_cast<Eigen::Index>(i)));
     }
   }
+  if (!air_.is_none() && factors.velocity != 0) air_on_chain_.add_tangent(air_, m.v, factors.velocity, K);
   for (const model::Body& body : model_.bodies) add_along(body, factors.velocity * body.damping, K);
   if (damping_.rayleigh && factors.velocity != 0) K.add(factors.velocity, *damping_.rayleigh);
 }
@@ -286,6 +302,10 @@ ViscousLoss System::viscous_power(const double* v) const {
   return power;
 }
 
+double System::air_power(const double* v) const {
+  return air_.is_none() ? 0 : air_on_chain_.power(air_, v);
+}
+
 void System::accelerations(const double* u, const double* v, const double* force, double* a) const {
   const Vector zero = make_vector();
   Vector velocity_terms = zero;
@@ -302,9 +322,17 @@ void System::accelerations(const double* u, const double* v, const double* force
 }
 
 Accepted System::commit(const double* u) {
+  return commit(u, clock_.value_or(0));
+}
+
+Accepted System::commit(const double* u, double time) {
   chain_->find_strains(u, strains_);
   const Stopwatch::Lap lap(stopwatch_, Part::commit);
   effort_ += model_.law->commit(history_, strains_, energy_);
+  if (clock_) {
+    material_.commit(committed_, strains_, time - *clock_);
+    clock_ = time;
+  }
   committed_ = strains_;
   Accepted sum;
   for (std::size_t point = 0; point < committed_.points(); ++point) {
@@ -312,6 +340,10 @@ Accepted System::commit(const double* u) {
     sum.elastic += length * energy_.stored[point];
     sum.friction += length * energy_.dissipated[point];
     sum.quadrature_error += length * energy_.quadrature_error[point];
+    if (material_.is_empty()) continue;
+    sum.elastic += length * material_.stored()[point];
+    sum.material += length * material_.dissipated()[point];
+    sum.quadrature_error += length * material_.quadrature_error()[point];
   }
   for (const model::Body& body : model_.bodies) {
     const double stretch = body.direction.dot(model_.displacement(u, body.node));
@@ -324,7 +356,7 @@ void System::archive(Archive& a) {
   a.same(history_.data.size(), "size of the sections' history");
   a(history_.data, energy_.stored, energy_.dissipated, energy_.quadrature_error);
   for (std::size_t c = 0; c < section::component_count; ++c) a(committed_[section::Component{c}]);
-  a(effort_, residual_evaluations_, jacobian_evaluations_);
+  a(material_, clock_, effort_, residual_evaluations_, jacobian_evaluations_);
 }
 
 bool System::shorten_rotations(double* u, double* v) const {

@@ -2,8 +2,8 @@
 /// \file What the last cycles of a run say about the damping of the span, in the field's terms (IEEE Std 563).
 ///
 ///     P/L = D f/L,   V = omega Y,   zeta = 2 (P/L)/(m omega V^2),   loss factor = 2 zeta                [IEEE563]
-/// with D the energy dissipated per cycle by friction and viscous damping, Y the antinode amplitude. The numerical part
-/// of the ledger is never folded in: its share |numerical|/D stands beside.
+/// with D the energy dissipated per cycle by friction, material and viscous damping, Y the antinode amplitude. Neither
+/// still air nor the numerical part of the ledger is folded in: the share |numerical|/(D + air) stands beside.
 
 #include <cstddef>
 #include <optional>
@@ -16,7 +16,9 @@ namespace strandyn::analysis {
 struct CycleLosses {
   double antinode_amplitude = 0;
   double friction = 0;
+  double material = 0;
   double viscous = 0;
+  double air = 0;
   double numerical = 0;
 };
 
@@ -29,7 +31,8 @@ struct SpanNumbers {
 struct SteadyState {
   std::size_t cycles = 0;                 ///< over how many the means were taken
   double antinode_amplitude = 0;          ///< [m] mean
-  double dissipation = 0;                 ///< [J] mean per cycle, friction and viscous
+  double dissipation = 0;                 ///< [J] mean per cycle, friction, material and viscous
+  double air = 0;                         ///< [J] mean per cycle
   double self_damping = 0;                ///< [W/m]
   double damping_ratio = 0;               ///< [-] zeta
   double loss_factor = 0;                 ///< [-]
@@ -43,7 +46,7 @@ SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbe
 struct CycleFlow {
   double amplitude = 0;  ///< [m] of the antinode, or of the mode
   double in = 0;         ///< [J] work of the loads
-  double lost = 0;       ///< [J] to friction, viscous damping and the integrator
+  double lost = 0;       ///< [J] to physics and to the integrator
 };
 inline constexpr std::size_t cycles_that_show_steadiness = 20;
 /// Like amplitudes (within 0.2 %), and what comes in is what is lost (within 0.5 %); `nothing` [J] a cycle is nothing.

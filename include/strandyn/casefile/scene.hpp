@@ -14,6 +14,7 @@
 #include "strandyn/casefile/analysis.hpp"
 #include "strandyn/casefile/choices.hpp"
 #include "strandyn/casefile/loads.hpp"
+#include "strandyn/casefile/losses.hpp"
 #include "strandyn/casefile/section.hpp"
 #include "strandyn/casefile/source.hpp"
 #include "strandyn/conductor/strand.hpp"
@@ -136,6 +137,8 @@ struct Scene {
   std::vector<Body> bodies;
   std::optional<Initial> initial;
   Damping damping;
+  std::optional<Air> air;
+  std::optional<Material> material;
   Static static_;
   Integrator integrator;
   Analysis analysis;

@@ -1,8 +1,11 @@
 #pragma once
 /// \file Four ways to the self-damping of one bench run, by the words of the standards.  [IEEE563] [IEC62567]
 ///
-/// ledger:  friction and viscous loss of the measured cycles; the numerical part stands beside. By position: the
-///          friction of the sections and the viscous forces on the nodes, between two nodes of the vibration.
+/// ledger:  friction, material and viscous loss of the measured cycles; that to still air, and the numerical part,
+/// stand
+///          beside. By position: the losses of the sections and the viscous forces on the nodes, between two nodes of
+///          the vibration.
+/// The other ways see a whole vibration, as a laboratory does: they contain what the air takes.
 /// power:   force times velocity of the shaker, from their fundamentals and as the work of whole cycles.
 /// ISWR:    amplitudes at the first and the last node between shaker and far end, each over that of the antinode beside
 ///          it. The wave number k is that of the distance of the nodes, EI that of the fundamentals of moment and
@@ -18,9 +21,11 @@
 namespace strandyn::laboratory {
 
 struct LedgerReading {
-  double friction = 0, viscous = 0, numerical = 0, quadrature_error = 0;  ///< [J] per cycle
-  double power = 0;                                                       ///< [W/m] friction and viscous
-  std::optional<double> numerical_share{};  ///< [-] of friction and viscous; nothing where there are none
+  double friction = 0, material = 0, viscous = 0, air = 0;  ///< [J] per cycle
+  double numerical = 0, quadrature_error = 0;               ///< [J] per cycle
+  double power = 0;                                         ///< [W/m] friction, material and viscous
+  double air_power = 0;                                     ///< [W/m]
+  std::optional<double> numerical_share{};                  ///< [-] of all of these; nothing where there are none
 };
 
 struct PowerReading {
@@ -36,7 +41,8 @@ struct IswrReading {
   analysis::WaveGuide guide;
   double power = 0;      ///< [W/m] between the nodes
   double by_string = 0;  ///< [W/m] the same with sqrt(T m) and the tension at rest, the form of the standards
-  double ledger = 0;     ///< [W/m] the ledger by position, between the same nodes
+  double ledger = 0;     ///< [W/m] the ledger by position, between the same nodes; without the air
+  double air = 0;        ///< [W/m] of still air between them
 };
 
 struct DecayReading {
@@ -45,7 +51,7 @@ struct DecayReading {
   double modal_energy = 0;           ///< [J] measured
   double power = 0;                  ///< [W/m]
   double by_sine = 0;                ///< [W/m] with m L V^2/4
-  double ledger = 0;                 ///< [W/m] the ledger of the decaying cycles at the same amplitude
+  double ledger = 0;                 ///< [W/m] the ledger of the decaying cycles at the same amplitude, air included
 };
 
 struct Readings {

@@ -35,7 +35,7 @@ struct BenchCost {
 struct BenchRun {
   SteadyRun steady;
   std::vector<double> decay;         ///< [m] |q| cycle by cycle after the shaker was let go
-  std::vector<double> decay_losses;  ///< [J] friction and viscous, of the same cycles
+  std::vector<double> decay_losses;  ///< [J] all physical losses of the same cycles
   BenchCost cost;
   bool stopped = false;
 };

@@ -5,9 +5,11 @@
 #include <Eigen/Dense>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "strandyn/air/still_air.hpp"
 #include "strandyn/beam/planar_element.hpp"
 #include "strandyn/beam/spatial_element.hpp"
 #include "strandyn/beam/spatial_inertia.hpp"
@@ -15,6 +17,7 @@
 #include "strandyn/math/time_function.hpp"
 #include "strandyn/model/freedom.hpp"
 #include "strandyn/section/law.hpp"
+#include "strandyn/section/material_damping.hpp"
 
 namespace strandyn::model {
 
@@ -60,6 +63,12 @@ struct Body {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();
 };
 
+/// The air around the chain.
+struct Surroundings {
+  air::StillAir air;
+  double diameter = 0;  ///< [m] of the conductor
+};
+
 /// Element i joins the nodes i and i + 1.
 struct Model {
   Freedom freedom = Freedom::planar;
@@ -73,6 +82,8 @@ struct Model {
   beam::SpatialSectionInertia inertia = {};
   MassMatrix mass_matrix = MassMatrix::lumped;
   double drag = 0;  ///< [N s/m^2] force per length against the velocity of the centre line
+  std::optional<Surroundings> surroundings = {};
+  section::MaterialBranches material = {};  ///< of all sections, beside the law
 
   std::size_t unknowns_per_node() const { return unknowns_of(freedom).size(); }
   std::size_t unknowns() const { return nodes.size() * unknowns_per_node(); }

@@ -20,12 +20,18 @@ struct Cycle {
   double kinetic = 0;
   double elastic = 0;  ///< above that of the initial state
   double friction = 0;
+  double material = 0;
   double viscous = 0;
   system::ViscousLoss viscous_parts = {};  ///< the same by name
+  double air = 0;
   double numerical = 0;
   double quadrature_error = 0;
   double internal_work = 0;
   std::size_t elements_slipping = 0;  ///< in which some friction was dissipated
+
+  /// What counts as self-damping, where viscous damping stands for it; and all that physics takes.
+  double self_damping() const { return friction + material + viscous; }
+  double dissipated() const { return self_damping() + air; }
 };
 
 /// The columns of cycles.csv and the members of `cycles[]`.
@@ -38,14 +44,16 @@ void members(V& v, Cycle& c) {
   v.value("kinetic_J", c.kinetic, {.what = "kinetic energy at the end"});
   v.value("elastic_J", c.elastic, {.what = "elastic energy at the end, above that of the initial state"});
   v.value("friction_dissipation_J", c.friction, {.what = "friction between the wires", .shown = "friction per cycle"});
+  v.value("material_dissipation_J", c.material, {.what = "damping of the metal of the wires"});
   v.value("viscous_dissipation_J", c.viscous, {.what = "all viscous damping"});
   for (const system::ViscousTerm& term : system::viscous_terms) {
     v.value(term.name, c.viscous_parts.*term.value, {.what = term.what});
   }
+  v.value("air_dissipation_J", c.air, {.what = "still air, which is no self-damping"});
   v.value("numerical_dissipation_J", c.numerical,
           {.what = "what the other terms leave over: the integrator's error", .shown = "numerical part per cycle"});
   v.value("quadrature_error_J", c.quadrature_error,
-          {.what = "error of the friction's steps, contained in the numerical part with a minus"});
+          {.what = "error of the steps of friction and metal, contained in the numerical part with a minus"});
   v.value("internal_work_J", c.internal_work, {.what = "trapezoidal work of the internal forces"});
   v.value("elements_slipping", c.elements_slipping, {.what = "elements in which some friction was dissipated"});
 }
@@ -62,6 +70,7 @@ struct CycleOptions {
 struct Profile {
   std::vector<double> position;             ///< [m] along the reference configuration
   std::vector<double> friction;             ///< [J/m] per cycle
+  std::vector<double> material;             ///< [J/m] per cycle, of the metal
   std::vector<double> curvature_amplitude;  ///< [1/m] half of peak to peak, about the axis where it is larger
   std::size_t cycles = 0;                   ///< over how many
 };
@@ -91,8 +100,8 @@ class CycleObserver final : public Observer {
     void archive(Archive& a) { a(low, high); }
   };
   struct PointRecord {
-    std::vector<double> friction, curvature_amplitude;
-    void archive(Archive& a) { a(friction, curvature_amplitude); }
+    std::vector<double> friction, material, curvature_amplitude;
+    void archive(Archive& a) { a(friction, material, curvature_amplitude); }
   };
 
   void watch(const system::System& system, const StepRecord& record);
@@ -109,7 +118,7 @@ class CycleObserver final : public Observer {
   std::optional<DeflectionPoints> places_;
   bool system_is_planar_ = true;
   Range deflection_, curvature_, curvature_3_;  // curvatures about the axes 2 and 3; about 2 only in a plane
-  std::vector<double> friction_;                // [J/m] of each section point in the cycle under way
+  std::vector<double> friction_, material_;     // [J/m] of each section point in the cycle under way
   std::deque<PointRecord> kept_;
 };
 

@@ -35,6 +35,7 @@ std::vector<double> distinct_tensions(const std::vector<Point>& points);
 struct PointResult {
   double self_damping = 0;                   ///< [W/m] of the span, by its length
   std::optional<double> free_span{};         ///< [W/m] without the end loops; nothing where there is no free span
+  std::optional<LossParts> parts{};          ///< what makes it up, and the air beside it
   std::optional<SpanVibration> vibration{};  ///< of a whole span in steady vibration
   std::optional<BenchReadings> bench{};      ///< of a test bench
   results::Value details = {};               ///< numbers of the method's own
@@ -83,6 +84,7 @@ struct PointRow {
   std::optional<std::uint64_t> section_evaluations{}, section_sweeps{};
   std::optional<std::string> failed{};
   std::optional<double> self_damping{}, free_span{};
+  std::optional<LossParts> parts{};
   std::optional<SpanVibration> vibration{};
   std::optional<BenchReadings> bench{};
   results::Value details{};
@@ -103,6 +105,7 @@ void members(V& v, PointRow& r) {
   v.value("failed", r.failed, {.what = "why there are no numbers"});
   v.value("self_damping_W_per_m", r.self_damping, {.what = "dissipated power over the length of the span"});
   v.value("self_damping_free_span_W_per_m", r.free_span, {.what = "the same without the end loops"});
+  v.part(r.parts);
   v.part(r.vibration);
   v.record("bench", r.bench, {.what = "the readings of the test bench"});
   v.rest(r.details);

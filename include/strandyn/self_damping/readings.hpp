@@ -10,6 +10,24 @@
 
 namespace strandyn::self_damping {
 
+/// What a point loses, part by part. Self-damping is the first three: still air is none.
+struct LossParts {
+  double friction = 0, material = 0, viscous = 0, air = 0;      ///< [W/m] by the length of the span
+  std::optional<double> material_free_span{}, air_free_span{};  ///< [W/m] without the end loops
+  double self_damping() const { return friction + material + viscous; }
+};
+template <class V>
+void members(V& v, LossParts& p) {
+  double all = p.self_damping() + p.air;
+  v.value("friction_W_per_m", p.friction, {.what = "by friction between the wires, over the length"});
+  v.value("material_W_per_m", p.material, {.what = "by the metal of the wires, over the length"});
+  v.value("viscous_W_per_m", p.viscous, {.what = "by viscous forces, over the length"});
+  v.value("air_W_per_m", p.air, {.what = "by still air, over the length: no part of the self-damping"});
+  v.value("dissipation_W_per_m", all, {.what = "all of these"});
+  v.value("material_free_span_W_per_m", p.material_free_span, {.what = "by the metal, without the end loops"});
+  v.value("air_free_span_W_per_m", p.air_free_span, {.what = "by still air, without the end loops"});
+}
+
 /// A span in steady vibration at phase resonance.
 struct SpanVibration {
   int mode = 0;
@@ -17,7 +35,6 @@ struct SpanVibration {
   std::size_t elements = 0;
   double sticking_frequency = 0, resonance = 0;  ///< [Hz]
   double reached_amplitude = 0;                  ///< [m]
-  double friction = 0, viscous = 0;              ///< [W/m]
   double drive_power = 0;                        ///< [W]
   std::optional<double> drive_force{}, drive_motion{};
   std::optional<double> imbalance{};
@@ -37,8 +54,6 @@ void members(V& v, SpanVibration& s) {
   v.value("sticking_frequency_Hz", s.sticking_frequency, {.what = "of the mode, all wires sticking"});
   v.value("resonance_Hz", s.resonance, {.what = "where force and velocity are in phase"});
   v.value("reached_amplitude_m", s.reached_amplitude, {.what = "of the antinode"});
-  v.value("friction_W_per_m", s.friction, {.what = "by the loops of all sections, over the length"});
-  v.value("viscous_W_per_m", s.viscous, {.what = "by viscous forces, over the length"});
   v.value("drive_power_W", s.drive_power, {.what = "of the shaker"});
   v.value("drive_force_N", s.drive_force, {.what = "amplitude of the shaker's force"});
   v.value("drive_motion_m", s.drive_motion, {.what = "amplitude of the shaker's motion"});
@@ -61,18 +76,21 @@ void members(V& v, SpanVibration& s) {
 
 /// The four readings of a test bench, each a record.
 struct LedgerRow {
-  double friction = 0, viscous = 0, numerical = 0, quadrature_error = 0;  ///< [J] per cycle
-  double power = 0;                                                       ///< [W/m]
+  double friction = 0, material = 0, viscous = 0, air = 0;  ///< [J] per cycle
+  double numerical = 0, quadrature_error = 0;               ///< [J] per cycle
+  double power = 0;                                         ///< [W/m]
   std::optional<double> numerical_share{}, numerical_over_friction{};
 };
 template <class V>
 void members(V& v, LedgerRow& r) {
   v.value("friction_dissipation_J", r.friction, {.what = "per cycle"});
+  v.value("material_dissipation_J", r.material, {.what = "per cycle"});
   v.value("viscous_dissipation_J", r.viscous, {.what = "per cycle"});
+  v.value("air_dissipation_J", r.air, {.what = "per cycle, no part of the self-damping"});
   v.value("numerical_dissipation_J", r.numerical, {.what = "per cycle: what the others leave over"});
   v.value("quadrature_error_J", r.quadrature_error, {.what = "per cycle, contained in the numerical part"});
-  v.value("self_damping_W_per_m", r.power, {.what = "friction and viscous damping over the length"});
-  v.value("numerical_share", r.numerical_share, {.what = "|numerical| over friction and viscous damping"});
+  v.value("self_damping_W_per_m", r.power, {.what = "friction, material and viscous damping over the length"});
+  v.value("numerical_share", r.numerical_share, {.what = "|numerical| over all physical losses"});
   v.value("numerical_over_friction", r.numerical_over_friction, {.what = "|numerical| over friction"});
 }
 struct PowerRow {
@@ -84,7 +102,7 @@ template <class V>
 void members(V& v, PowerRow& r) {
   v.value("self_damping_W_per_m", r.power, {.what = "force times velocity of the shaker, by their fundamentals"});
   v.value("from_work_W_per_m", r.from_work, {.what = "by the work of whole cycles"});
-  v.value("over_ledger", r.over_ledger, {.what = "relative to the ledger"});
+  v.value("over_ledger", r.over_ledger, {.what = "relative to the ledger, air included"});
   v.value("phase_deg", r.phase, {.what = "from the velocity to the force"});
 }
 struct IswrRow {
@@ -99,8 +117,8 @@ struct IswrRow {
 template <class V>
 void members(V& v, IswrRow& r) {
   v.value("self_damping_W_per_m", r.power, {.what = "inverse standing wave ratio between two nodes"});
-  v.value("ledger_W_per_m", r.ledger, {.what = "the ledger by position, between the same nodes"});
-  v.value("over_ledger", r.over_ledger, {.what = "the first over the second"});
+  v.value("ledger_W_per_m", r.ledger, {.what = "the ledger by position, between the same nodes, without the air"});
+  v.value("over_ledger", r.over_ledger, {.what = "the first over the second and the air"});
   v.value("by_string_W_per_m", r.by_string, {.what = "the form of the standards, sqrt(T m)"});
   v.value("nodes_m", r.nodes, {.what = "their places, the one nearer to the shaker first"});
   v.value("loops", r.loops, {.what = "between them"});
@@ -119,7 +137,7 @@ struct DecayRow {
 template <class V>
 void members(V& v, DecayRow& r) {
   v.value("self_damping_W_per_m", r.power, {.what = "decrement times twice the modal energy"});
-  v.value("over_ledger", r.over_ledger, {.what = "relative to the ledger of the steady vibration"});
+  v.value("over_ledger", r.over_ledger, {.what = "relative to the ledger of the steady vibration, air included"});
   v.value("by_sine_W_per_m", r.by_sine, {.what = "with m L V^2/4 as the energy, the form of the standards"});
   v.value("ledger_W_per_m", r.ledger, {.what = "the ledger of the decaying cycles at the same amplitude"});
   v.value("decrement", r.decrement, {.what = "the logarithmic one at the measured amplitude"});

@@ -30,6 +30,8 @@ struct ResonanceAt {
 struct FreeSpan {
   double from = 0, to = 0;  ///< [m] along the span
   double friction = 0;      ///< [J] per cycle
+  double material = 0;      ///< [J] per cycle
+  double air = 0;           ///< [J] per cycle
   double curvature = 0;     ///< [1/m] amplitude of the sine that has the same mean square
   double highest = 0;       ///< [1/m] largest half of peak to peak, all harmonics counted
 };
@@ -76,7 +78,7 @@ class ShakenSpan {
 /// [J] per cycle: what friction takes, by the area of the loops. It balances with the drive whatever the samples are,
 /// and is exactly zero where nothing slips.
 double friction_of(const solver::PeriodicSolution& solution);
-/// The same and all viscous losses. [J] per cycle
+/// All that is self-damping: friction, the metal of the wires, viscous losses. Not the air. [J] per cycle
 double losses_of(const solver::PeriodicSolution& solution);
 
 }  // namespace strandyn::span

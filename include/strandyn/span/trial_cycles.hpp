@@ -3,7 +3,7 @@
 ///
 /// The sections are led twice around u = u_0 + A phi sin(tau) without any dynamics; the second time counts. With the
 /// viscous loss of the velocity A omega phi cos(tau) and the energy E = (A omega)^2 phi . M phi/2 of the mode:
-///     zeta(A) = (friction + viscous loss per cycle)/(4 pi E)
+///     zeta(A) = (friction + losses to metal, viscous forces and air per cycle)/(4 pi E)
 
 #include "strandyn/span/rest.hpp"
 

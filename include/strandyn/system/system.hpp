@@ -1,7 +1,7 @@
 #pragma once
 /// \file What a scene does: forces, tangents and energies of the chain, and the history of its sections.
 ///
-///     r(u, v, v'; t, drives) = M(u) v' + g(u, v) + f_int(u; history) + C v - f_ext(t, u; drives) = 0
+///     r(u, v, v'; t, drives) = M(u) v' + g(u, v) + f_int(u; history) + C v + F_air(v) - f_ext(t, u; drives) = 0
 /// with u the displacements and rotations of all nodes, supports included: a held unknown keeps its place in the
 /// vectors, its equation reads u = 0, or u = what a prescribed motion says. Unknowns without mass (rotations, unless
 /// they carry rotary inertia) are algebraic.
@@ -9,6 +9,9 @@
 /// Everything but `begin` and `commit` is const in the committed history: the integrator may evaluate states that it
 /// throws away. `commit` re-evaluates the section law at the state it is given and is the only writer of history.
 /// An object serves one thread: evaluations share working storage.
+///
+/// **Material damping** (section/material_damping.hpp) knows time: its branches answer the strain since the last commit
+/// in the time since then. The clock begins with `start_clock`; until then, in a static analysis, they are relaxed.
 
 #include <Eigen/Dense>
 #include <memory>
@@ -21,6 +24,8 @@
 #include "strandyn/core/stopwatch.hpp"
 #include "strandyn/math/chain_matrix.hpp"
 #include "strandyn/model/model.hpp"
+#include "strandyn/section/material_damping.hpp"
+#include "strandyn/system/air_on_chain.hpp"
 
 namespace strandyn::system {
 
@@ -32,9 +37,10 @@ class Chain;
 
 /// Energies of the chain after an accepted step. [J]
 struct Accepted {
-  double elastic = 0;           ///< stored in all sections and springs
+  double elastic = 0;           ///< stored in all sections, material branches and springs
   double friction = 0;          ///< dissipated by friction in the step, >= 0
-  double quadrature_error = 0;  ///< excess of `friction` over the trapezoidal work balance of the step, >= 0
+  double material = 0;          ///< dissipated by the metal in the step, >= 0
+  double quadrature_error = 0;  ///< excess of both over the trapezoidal work balance of the step; of friction >= 0
 };
 
 /// Positions, and the velocities and accelerations that go with them; without these it is a state at rest.
@@ -121,8 +127,16 @@ class System {
   void set_damping(ProportionalDamping damping) { damping_ = std::move(damping); }
   const ProportionalDamping& damping() const { return damping_; }
 
-  /// Starts the history: virgin sections, brought straight to the strains of `u`.
+  /// From here on still air acts as it does on a swing of this frequency [Hz], where the model has air around it.
+  void set_swing(double frequency);
+  /// What acts; none before the swing is known.
+  const air::AirForce& air() const { return air_; }
+  const AirOnChain& air_on_chain() const { return air_on_chain_; }
+
+  /// Starts the history: virgin sections, brought straight to the strains of `u`. The clock stands.
   void begin(const ConstVectorRef& u);
+  /// From here on the material damping counts time: the last commit was at `time` [s].
+  void start_clock(double time) { clock_ = time; }
 
   /// r = M v' + g + C v + f_int - f_ext for all unknowns. At held ones, whose own equation is another, it is what the
   /// support does; at all others it is zero where the equation of motion holds. A state at rest has no inertia and
@@ -136,7 +150,7 @@ class System {
   /// support have to do together.
   void forces(const State& state, At at, Vector& external, Vector& internal) const;
 
-  /// f = f_int(u), springs of bodies included. [N], [N m]
+  /// f = f_int(u) at rest, springs of bodies included. [N], [N m]
   void internal_force(const double* u, double* f) const;
   /// The same and K = df_int/du.
   void internal_force(const double* u, double* f, Matrix& K) const;
@@ -150,23 +164,25 @@ class System {
   void external_force(At at, const double* u, double* f) const;
   /// K -= df_ext/du.
   void subtract_external_tangent(At at, const double* u, Matrix& K) const;
-  /// f += M v' + g + C v, with all viscous forces.
+  /// f += M v' + g + C v + F_air, with all viscous forces.
   void add_inertia_and_drag(const State& state, double* f) const;
-  /// K += the derivatives of M v' + g + C v by acceleration, velocity and position, each times its factor. Modal
-  /// damping, which couples all nodes and is small beside the inertia of a step, is left out.
+  /// K += the derivatives of M v' + g + C v + F_air by acceleration, velocity and position, each times its factor.
+  /// Modal damping, which couples all nodes and is small beside the inertia of a step, is left out.
   void add_inertia_and_drag(const State& state, InertiaFactors factors, Matrix& K) const;
   /// Replaces the equations of held unknowns by u = right-hand side.
   void hold(Matrix& K) const;
 
   double kinetic_energy(const double* u, const double* v) const;  ///< [J]
   ViscousLoss viscous_power(const double* v) const;               ///< [W] v . C v
+  double air_power(const double* v) const;                        ///< [W] v . F_air, >= 0
   /// M a = f for the unknowns with mass, all others 0: consistent initial accelerations.
   void accelerations(const double* u, const double* v, const double* force, double* a) const;
   /// The mass matrix at u, held unknowns included.
   void mass_matrix(const double* u, Matrix& M) const;
 
-  /// Accepts u as the end of a step.
+  /// Accepts u as the end of a step: of a static one, or of one in time, which ends at `time`.
   Accepted commit(const double* u);
+  Accepted commit(const double* u, double time);
 
   /// Exchanges rotation vectors that have grown long against those of the same rotation by the other way round, and
   /// their rates. True where there was one: whoever keeps older states must start anew.
@@ -174,6 +190,8 @@ class System {
 
   /// Per section point, two per element, of the last commit. [J/m of unstressed length]
   const section::StepEnergy& step_energy() const { return energy_; }
+  /// What the metal of the wires took in the same step.
+  const section::MaterialMemory& material() const { return material_; }
   /// The committed memory of all section points.
   const section::History& history() const { return history_; }
   /// Strains per section point of the last commit.
@@ -194,6 +212,11 @@ class System {
   Stopwatch& stopwatch() const { return stopwatch_; }
 
  private:
+  /// Strains at u, and what the sections answer; with the branches of the metal where the clock runs and `time` is
+  /// given.
+  void find_stresses(const double* u, std::optional<double> time, section::TangentField* tangents) const;
+  void internal_force_at(const double* u, std::optional<double> time, double* f) const;
+  void internal_force_at(const double* u, std::optional<double> time, double* f, Matrix& K) const;
   void add_springs(const double* u, double* f) const;
   void add_at_node(std::size_t node, const Eigen::Vector3d& force, double* f) const;
   void add_along(const model::Body& body, double factor, Matrix& K) const;
@@ -204,6 +227,10 @@ class System {
   std::vector<std::size_t> moved_;  // unknown of each prescribed motion
   Vector drag_;                     // [N s/m] per unknown
   ProportionalDamping damping_;
+  AirOnChain air_on_chain_;
+  air::AirForce air_;
+  section::MaterialMemory material_;
+  std::optional<double> clock_;  // [s] time of the last commit
   section::History history_;
   section::StepEnergy energy_;
   section::Field committed_;

@@ -227,7 +227,8 @@ std::complex<double> PeriodicState::phasor(std::size_t i, int k) const {
 }
 
 double PeriodicSolution::imbalance() const {
-  return (drive_power / state.frequency - loop_work - viscous.total()) / (drive_power / state.frequency);
+  const double work = drive_power / state.frequency;
+  return (work - loop_work - material - viscous.total() - air) / work;
 }
 
 PeriodicSolver::PeriodicSolver(const system::System& system, Vector rest, PeriodicSetup setup, PeriodicOptions options)

@@ -55,12 +55,25 @@ HarmonicBalance::HarmonicBalance(const System& system, const Vector& rest, const
   tangents_ = section::TangentField(dimension_of(strains), strains.points());
   Field stresses = strains;
   system.model().law->respond(system.history(), strains, stresses, &tangents_);
+  unstressed_ = Field(dimension_of(strains), strains.points());
+  if (!system.model().bodies.empty()) {
+    springs_ = system.make_matrix();
+    system.stiffness_of(unstressed_, section::TangentField(dimension_of(strains), strains.points()), rest.data(),
+                        *springs_);
+  }
   const Vector still = system.make_vector();
   const system::State motion{.u = rest.data(), .v = still.data(), .a = still.data()};
   system.add_inertia_and_drag(motion, {.acceleration = 1}, M_);
   system.add_inertia_and_drag(motion, {.velocity = 1}, C_);
   for (std::size_t i = 0; i < system.unknowns(); ++i) {
     if (!system.is_held(i) && !system.has_mass(i)) C_.pin(i, 0);  // it has no velocity
+  }
+  if (system.model().surroundings) {
+    A_ = system.make_matrix();
+    system.air_on_chain().add_tangent({.linear = 1}, still.data(), 1, *A_);
+    for (std::size_t i = 0; i < system.unknowns(); ++i) {
+      if (!system.is_held(i) && !system.has_mass(i)) A_->pin(i, 0);
+    }
   }
   total_mass_ = system.model().inertia.mass * system.model().unstressed_length();
   for (const model::Body& body : system.model().bodies) total_mass_ += body.mass;
@@ -81,12 +94,23 @@ HarmonicBalance::Swing HarmonicBalance::swing(const PeriodicPoint& point) const 
 
 MatrixXd HarmonicBalance::inertia(const PeriodicPoint& point) const {
   const Swing s = swing(point);
+  const air::AirForce other = other_air(point);
   MatrixXd force = MatrixXd::Zero(s.u.rows(), s.u.cols());
   for (Index j = 0; j < force.cols(); ++j) {
     system_.add_inertia_and_drag({.u = s.u.col(j).data(), .v = s.v.col(j).data(), .a = s.a.col(j).data()},
                                  force.col(j).data());
+    if (A_ && !other.is_none()) system_.air_on_chain().add_force(other, s.v.col(j).data(), force.col(j).data());
   }
-  return force * fourier_.projection().transpose();
+  MatrixXd harmonics = force * fourier_.projection().transpose();
+  if (!A_) return harmonics;
+  const MatrixXd rate = point.omega * Fourier::derivative(point.x);
+  Vector on_nodes = system_.make_vector();
+  for (Index a = 1; a < harmonics.cols(); ++a) {
+    const Vector velocity = rate.col(a);
+    A_->multiply(velocity.data(), on_nodes.data());
+    harmonics.col(a) += linear_air(point, static_cast<int>(a + 1) / 2).linear * on_nodes;
+  }
+  return harmonics;
 }
 
 BalanceEvaluation HarmonicBalance::evaluate(const PeriodicPoint& point) const {
@@ -98,10 +122,11 @@ BalanceEvaluation HarmonicBalance::evaluate(const PeriodicPoint& point) const {
   }
   at.loops = lead_around(*system_.model().law, system_.history(), at.strains,
                          {.max_cycles = options_.max_cycles, .closure = options_.closure});
+  add_material(point, at);
   MatrixXd force(s.u.rows(), s.u.cols());
   Vector load = system_.make_vector();
   for (Index j = 0; j < force.cols(); ++j) {
-    system_.internal_force_of(at.loops.stresses[static_cast<std::size_t>(j)], s.u.col(j).data(), force.col(j).data());
+    system_.internal_force_of(at.stresses[static_cast<std::size_t>(j)], s.u.col(j).data(), force.col(j).data());
     system_.external_force(at_rest, s.u.col(j).data(), load.data());
     force.col(j) -= load;
   }
@@ -215,6 +240,7 @@ void HarmonicBalance::account(const PeriodicPoint& point, const BalanceEvaluatio
   loss = {.loop_work = std::vector<double>(points),
           .friction = at.loops.friction,
           .quadrature_error = at.loops.quadrature_error,
+          .material = {},
           .curvature_amplitude = std::vector<double>(points)};
   MatrixXd strain(static_cast<Index>(points), samples), stress(strain);
   for (std::size_t c = 0; c < section::component_count; ++c) {
@@ -242,6 +268,8 @@ void HarmonicBalance::account(const PeriodicPoint& point, const BalanceEvaluatio
     const system::ViscousLoss power = system_.viscous_power(v.col(j).data());
     solution.viscous = system::of_each_term([&](auto term) { return solution.viscous.*term + step * power.*term; });
   }
+  account_for_air(point, solution);
+  account_for_material(point, at, solution);
 }
 
 }  // namespace strandyn::solver

@@ -2,6 +2,7 @@
 /// \file The balance of all harmonics of a driven chain, and Newton's corrections of it.
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "periodic_fourier.hpp"
@@ -34,6 +35,7 @@ using Closings = std::array<Closing, 2>;
 struct BalanceEvaluation {
   std::vector<section::Field> strains;  // per sample
   SectionLoops loops;
+  std::vector<section::Field> stresses;  // per sample: of the loops, and of the metal on top
   Eigen::MatrixXd force;     // [N], [N m] what the chain asks for, harmonics: at a moved support its reaction
   Eigen::MatrixXd residual;  // the same less the drive; of held unknowns: where they are less where they should be
 };
@@ -80,13 +82,22 @@ class HarmonicBalance {
     Eigen::MatrixXd u, v, a;  // unknowns by samples
   };
   Swing swing(const PeriodicPoint& point) const;
-  /// Harmonics of M u'' + g + C u'.
+  /// Harmonics of M u'' + g + C u' + F_air.
   Eigen::MatrixXd inertia(const PeriodicPoint& point) const;
+  /// The air's force on a swing: linear at harmonic k; what is not linear, at the fundamental.
+  air::AirForce linear_air(const PeriodicPoint& point, int k) const;
+  air::AirForce other_air(const PeriodicPoint& point) const;
+  void add_material(const PeriodicPoint& point, BalanceEvaluation& at) const;
+  void account_for_air(const PeriodicPoint& point, PeriodicSolution& solution) const;
+  void account_for_material(const PeriodicPoint& point, const BalanceEvaluation& at, PeriodicSolution& solution) const;
   bool solve(const PeriodicPoint& point, const BalanceEvaluation& at, const SectionModel& model,
              const Closings& closings, Eigen::MatrixXd equations, Eigen::MatrixXd closing_values,
              PeriodicPoint& change) const;
   void assemble(const PeriodicPoint& point, const BalanceEvaluation& at, const SectionModel& model, HarmonicMatrix& T,
                 std::vector<Eigen::VectorXd>& columns, std::vector<Eigen::VectorXd>& rows) const;
+  /// Of the sections at rest with these tangents, without stresses and without the springs of bodies.
+  void section_stiffness(const section::TangentField& tangents, system::Matrix& K) const;
+  void add_air_and_metal(const PeriodicPoint& point, HarmonicMatrix& T) const;
   void add_slip(const SectionModel& model, HarmonicMatrix& T) const;
   Eigen::MatrixXd fundamental_curvature(const BalanceEvaluation& at, std::size_t p) const;    // cosine, sine by axes
   Eigen::MatrixXd moments(const std::vector<section::Field>& stresses, std::size_t p) const;  // coefficients by axes
@@ -100,8 +111,11 @@ class HarmonicBalance {
   std::vector<section::Component> axes_;  // of bending
   std::size_t drive_ = 0, control_ = 0;
   double total_mass_ = 0;
-  system::Matrix M_, C_;            // at rest
-  section::TangentField tangents_;  // at rest
+  system::Matrix M_, C_;             // at rest
+  std::optional<system::Matrix> A_;  // [m] of still air: forces per linear factor
+  section::TangentField tangents_;   // at rest
+  section::Field unstressed_;
+  std::optional<system::Matrix> springs_;  // of bodies
 };
 
 }  // namespace strandyn::solver

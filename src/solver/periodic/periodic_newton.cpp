@@ -18,16 +18,17 @@ enum Extra : Index { swing_cosine, swing_sine, at_frequency, at_drive, first_upd
 
 }  // namespace
 
+void HarmonicBalance::section_stiffness(const section::TangentField& tangents, Matrix& K) const {
+  system_.stiffness_of(unstressed_, tangents, rest_.data(), K);
+  if (springs_) K.add(-1, *springs_);
+}
+
 void HarmonicBalance::add_slip(const SectionModel& model, HarmonicMatrix& T) const {
   if (model.slipping.empty()) return;
   const Index m = fourier_.coefficients();
   const auto axes = static_cast<Index>(axes_.size());
-  Field stresses = system_.committed_strains();
-  for (std::size_t c = 0; c < section::component_count; ++c) {
-    std::fill(stresses[Component{c}].begin(), stresses[Component{c}].end(), 0.0);
-  }
   section::TangentField tangents(axes == 1 ? section::Dimension::planar : section::Dimension::spatial,
-                                 stresses.points());
+                                 system_.committed_strains().points());
   Matrix K = system_.make_matrix();
   for (Index a = 0; a < m; ++a) {
     for (Index b = 0; b < m; ++b) {
@@ -39,7 +40,7 @@ void HarmonicBalance::add_slip(const SectionModel& model, HarmonicMatrix& T) con
           }
         }
       }
-      system_.stiffness_of(stresses, tangents, rest_.data(), K);
+      section_stiffness(tangents, K);
       MatrixXd factors = MatrixXd::Zero(m, m);
       factors(a, b) = 1;
       T.add(factors, K);
@@ -71,12 +72,59 @@ void HarmonicBalance::assemble(const PeriodicPoint& point, const BalanceEvaluati
   }
   T.add(square, M_);
   T.add(turn, C_);
+  add_air_and_metal(point, T);
   for (const system::ProportionalDamping::Mode& mode : system_.damping().modes) {
     for (Index a = 1; a < m; ++a) {
       const Index b = a % 2 == 1 ? a + 1 : a - 1;
       columns.push_back(T.pack(mode.factor * turn(a, b) * mode.momentum * VectorXd::Unit(m, a).transpose()));
       rows.push_back(T.pack(mode.momentum * VectorXd::Unit(m, b).transpose()));
     }
+  }
+}
+
+void HarmonicBalance::add_air_and_metal(const PeriodicPoint& point, HarmonicMatrix& T) const {
+  const Index m = fourier_.coefficients();
+  if (A_) {
+    MatrixXd turn = MatrixXd::Zero(m, m);
+    for (Index a = 1; a < m; a += 2) {
+      const int k = static_cast<int>(a + 1) / 2;
+      turn(a, a + 1) = k * point.omega * linear_air(point, k).linear;
+      turn(a + 1, a) = -turn(a, a + 1);
+    }
+    T.add(turn, *A_);
+  }
+  const air::AirForce other = other_air(point);
+  if (!other.is_none()) {
+    const MatrixXd v = swing(point).v;
+    // Rates are basis * derivative * coefficients.
+    const MatrixXd rates = point.omega * Fourier::derivative(MatrixXd(fourier_.basis())) * -1;
+    Matrix D = system_.make_matrix();
+    for (Index j = 0; j < v.cols(); ++j) {
+      D.set_zero();
+      system_.air_on_chain().add_tangent(other, v.col(j).data(), 1, D);
+      T.add(fourier_.projection().col(j) * rates.row(j), D);
+    }
+  }
+  const section::MaterialBranches& branches = system_.model().material;
+  if (branches.empty()) return;
+  section::TangentField tangents = tangents_;
+  Matrix K = system_.make_matrix();
+  for (const section::MaterialBranch& branch : branches) {
+    for (std::size_t r = 0; r < section::component_count; ++r) {
+      for (std::size_t c = 0; c < section::component_count; ++c) {
+        auto& entries = tangents(Component{r}, Component{c});
+        std::fill(entries.begin(), entries.end(), r == c ? branch.stiffness[c] : 0.0);
+      }
+    }
+    section_stiffness(tangents, K);
+    MatrixXd answer = MatrixXd::Zero(m, m);
+    for (Index a = 1; a < m; a += 2) {
+      const double x = static_cast<double>((a + 1) / 2) * point.omega * branch.relaxation_time;
+      answer(a, a) = answer(a + 1, a + 1) = x * x / (1 + x * x);
+      answer(a, a + 1) = x / (1 + x * x);
+      answer(a + 1, a) = -answer(a, a + 1);
+    }
+    T.add(answer, K);
   }
 }
 

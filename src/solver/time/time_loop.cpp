@@ -80,7 +80,7 @@ class TimeLoop {
                                      .a = stepper_->a(),
                                      .external = external_,
                                      .internal = internal_,
-                                     .accepted = system_.commit(stepper_->u().data())};
+                                     .accepted = system_.commit(stepper_->u().data(), taken.time)};
     const Stopwatch::Lap lap(system_.stopwatch(), Part::observers);
     if (external_.size() > 0) {
       system_.forces({.u = record.u.data(), .v = record.v.data(), .a = record.a.data()},
@@ -156,6 +156,7 @@ IntegratorSummary integrate(system::System& system, const InitialMotion& initial
         "integrator.checkpoint_every_s: this program was built without the memory layout of IDA and cannot keep its "
         "state; leave it out, or give integrator.method = \"generalized-alpha\", whose checkpoints work everywhere");
   }
+  system.start_clock(0);
   return TimeLoop(system, initial, options, method, observers).go();
 }
 

@@ -20,8 +20,12 @@
 /// the loops around once more per coefficient; it is kept while the corrections fall fast. Where nothing slips it is
 /// the tangent at rest and costs nothing.
 ///
-/// Power: drive = work of the section loops + viscous loss per cycle, an identity of the converged state whatever N and
-/// H are. The work of the loop differs from the friction that the law booked by its quadrature error, O(1/N^2).
+/// Still air and the metal of the wires answer each harmonic at its own frequency; parts of the air's force that are
+/// not linear are taken at that of the fundamental.
+///
+/// Power: drive = work of the section loops + losses to metal, viscous damping and air per cycle, an identity of the
+/// converged state whatever N and H are. The work of the loop differs from the friction that the law booked by its
+/// quadrature error, O(1/N^2).
 
 #include <complex>
 #include <functional>
@@ -77,6 +81,7 @@ struct SectionLoss {
   std::vector<double> loop_work;            ///< [J/m] per cycle: area of the loops, of all resultants
   std::vector<double> friction;             ///< [J/m] per cycle, as the law books it; >= 0
   std::vector<double> quadrature_error;     ///< [J/m] per cycle, of the friction
+  std::vector<double> material;             ///< [J/m] per cycle, of the metal; >= 0
   std::vector<double> curvature_amplitude;  ///< [1/m] of the fundamental, of both axes together
 };
 
@@ -95,8 +100,11 @@ struct PeriodicSolution {
   double loop_work = 0;         ///< [J] per cycle, all sections
   double friction = 0;          ///< [J] per cycle, all sections, as the law books it
   double quadrature_error = 0;  ///< [J] per cycle, of the friction
+  double material = 0;          ///< [J] per cycle, all sections
   system::ViscousLoss viscous;  ///< [J] per cycle
+  double air = 0;               ///< [J] per cycle
   SectionLoss sections;
+  std::vector<double> air_by_node;  ///< [J] per cycle
 
   /// Drive power less all losses, relative to it. Means nothing where nothing is lost.
   double imbalance() const;
