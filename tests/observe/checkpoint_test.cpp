@@ -75,6 +75,7 @@ struct Scene {
   int most_iterations = 12;
   double relative_error = 0;
   bool corners = false;
+  bool losses = false;  // to air, by all parts of its force, and to the metal
 };
 
 /// What a run leaves behind.
@@ -88,8 +89,13 @@ struct Outcome {
 
 Outcome run(const Integrator& integrator, const Scene& scene, const std::set<std::size_t>& keep_at,
             const std::string& resume = "") {
-  Vibration vibration(test::return_map(scene.freedom),
-                      {.length = 10, .elements = scene.elements, .drag = 0.5, .freedom = scene.freedom}, 4);
+  test::SpanOptions span{.length = 10, .elements = scene.elements, .drag = 0.5, .freedom = scene.freedom};
+  if (scene.losses) span.material = section::material_branches({1e7, 300, 2400, 2400}, 1e-3);
+  Vibration vibration(test::return_map(scene.freedom), span, 4);
+  if (scene.losses) {
+    vibration.model.surroundings = {.air = {.drag_coefficient = 1, .drag_per_K = 0.2}, .diameter = 0.0317};
+    vibration.system.set_swing(vibration.mode.frequency);
+  }
   if (scene.corners) {
     vibration.model.loads = {
         {.node = 3,
@@ -163,6 +169,7 @@ TEST_CASE("checkpoint: ten random steps of a slipping span from which IDA goes o
   CHECK(check_resume(ida, {.corners = true}).steps.size() > 330);  // each corner is a new start
   check_resume(ida, {.freedom = Freedom::transverse_planar});      // factors with an update of rank one
   check_resume(ida, {.freedom = Freedom::spatial, .elements = 8, .steps = 40});
+  check_resume(ida, {.losses = true});
 }
 
 TEST_CASE("checkpoint: ten random steps of a slipping span from which generalized alpha goes on to the same bits") {
@@ -170,6 +177,7 @@ TEST_CASE("checkpoint: ten random steps of a slipping span from which generalize
   check_resume(generalized_alpha, {.corners = true});
   check_resume(generalized_alpha, {.freedom = Freedom::transverse_planar});
   check_resume(generalized_alpha, {.freedom = Freedom::spatial, .elements = 8, .steps = 40});
+  check_resume(generalized_alpha, {.losses = true});
 }
 
 TEST_CASE("checkpoint: a step that was cut goes on within its parts") {

@@ -62,6 +62,7 @@ struct SpanOptions {
   double rotary = 0;  // [kg m]
   double drag = 0;    // [N s/m^2]
   model::Freedom freedom = model::Freedom::planar;
+  section::MaterialBranches material = {};
 };
 
 /// A Curlew span between two clamps or pins, meshed as `grading = "clamps"` does.
@@ -82,6 +83,7 @@ inline model::Model curlew_span(LawPointer law, const SpanOptions& o = {}) {
   model.inertia = {.mass = curlew_mass, .rotary = o.rotary, .polar = 2 * o.rotary};
   model.mass_matrix = o.mass;
   model.drag = o.drag;
+  model.material = o.material;
   return model;
 }
 

@@ -9,7 +9,7 @@
 /// 1986 (J. Fluid Mech. 165, 61) measured it up to the K at which the flow becomes unstable to Honji's vortices,
 ///     K_h = 5.778 beta^(-1/4) (1 + 0.205 beta^(-1/4))                                 Hall 1984 (J. Fluid Mech. 146,
 ///     347)
-/// (0.96 at beta = 1300: A/D 0.15). Beyond, the drag is higher. Two parts may stand for that, both off unless asked
+/// (1.0 at beta = 1300: A/D 0.16). Beyond, the drag is higher. Two parts may stand for that, both off unless asked
 /// for:
 ///     F = rho D C_d/2 |w| w                    a drag coefficient, the same at every amplitude (Morison's equation)
 ///     C_d = a K                                shed vortices of a round body at small K, Graham 1980 (J. Fluid Mech.

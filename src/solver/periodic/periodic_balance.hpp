@@ -8,6 +8,7 @@
 #include "periodic_fourier.hpp"
 #include "periodic_loop.hpp"
 #include "periodic_matrix.hpp"
+#include "strandyn/air/still_air.hpp"
 #include "strandyn/solver/periodic/periodic.hpp"
 
 namespace strandyn::solver {
