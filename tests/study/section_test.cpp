@@ -16,7 +16,7 @@ using test::section_scene;
 
 namespace {
 
-const results::Table& table(const test::Run& result, const std::string& file) {
+const results::Table& table(const test::Run& result, const char* file) {
   for (const results::NamedTable& t : result.tables) {
     if (t.file == file) return t.table;
   }
