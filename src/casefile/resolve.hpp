@@ -19,6 +19,9 @@ void check_losses(const Scene& scene);
 /// The checks of a sweep: its ends and its periodic response.
 void check_sweep(const Scene& scene);
 
+/// The velocities of a self-damping grid that names no amplitudes: those at which laboratories run.
+void fill_laboratory_grid(Scene& scene);
+
 /// The checks of a self-damping study: what a point needs, what its methods need.
 void check_self_damping(const Scene& scene);
 

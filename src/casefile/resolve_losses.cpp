@@ -5,7 +5,7 @@
 namespace strandyn::casefile {
 
 void check_losses(const Scene& scene) {
-  const bool moves = scene.span.has_value() && !scene.is<SectionAnalysis>() && !scene.is<AxialTorsionAnalysis>();
+  const bool moves = !scene.is<SectionAnalysis>() && !scene.is<AxialTorsionAnalysis>();
   for (const auto& [there, key, what] :
        {std::tuple{scene.air.has_value(), "air", "no part of it moves through air"},
         std::tuple{scene.material.has_value(), "material", "the loss of metal needs time"}}) {

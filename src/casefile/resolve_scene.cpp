@@ -250,6 +250,7 @@ void resolve_scene(Scene& scene) {
   if (scene.conductor) resolve_conductor(*scene.conductor, scene.source);
   if (scene.span) check_span(scene);
   resolve_loads(scene);
+  fill_laboratory_grid(scene);
   check_analysis(scene);
   Integrator& integrator = scene.integrator;
   // A bench compares small losses: it takes the method that damps least, unless the case names one.

@@ -38,11 +38,12 @@ void check_grid(const Scene& scene) {
   }
   if (any && !amplitudes) {
     refuse(scene.source, "analysis", "its amplitudes are missing",
-           "give one of amplitude_over_diameter, antinode_amplitude_mm, antinode_velocity_m_per_s");
+           "give amplitude_over_diameter, antinode_amplitude_mm or antinode_velocity_m_per_s");
   }
   if (any && !tensions)
     refuse(scene.source, "analysis", "its tensions are missing", "give tensions_rts or tensions_kN");
   if (!a.amplitudes_over_diameter.empty()) need_diameter(scene, "analysis.amplitude_over_diameter");
+  if (a.highest_amplitude_over_diameter) need_diameter(scene, "analysis.highest_amplitude_over_diameter");
   if (!a.tensions_rts.empty()) need_rated_strength(scene, "analysis.tensions_rts");
   for (std::size_t i = 0; i < a.at.size(); ++i) {
     if (a.at[i].amplitude_over_diameter) {
@@ -134,6 +135,16 @@ void check_sweep(const Scene& scene) {
   if (sweep.from && *sweep.from == *sweep.to) {
     refuse(scene.source, "analysis.to_Hz", "is where the sweep begins", "give another frequency than from_Hz");
   }
+}
+
+void fill_laboratory_grid(Scene& scene) {
+  auto* a = std::get_if<SelfDampingAnalysis>(&scene.analysis);
+  if (!a || !a->has_grid() || a->method != DampingMethod::quadrature || a->mode_shape == ModeShape::clamped) return;
+  const bool given =
+      !a->amplitudes_over_diameter.empty() || !a->antinode_amplitudes.empty() || !a->antinode_velocities.empty();
+  if (given || !scene.conductor) return;
+  a->antinode_velocities = {0.05, 0.1, 0.2, 0.3, 0.4};
+  if (!a->highest_amplitude_over_diameter) a->highest_amplitude_over_diameter = 0.5;
 }
 
 void check_self_damping(const Scene& scene) {

@@ -100,6 +100,10 @@ PublishedRow published(const Scene& scene, const analysis::PowerLawFit& fit,
 
 }  // namespace
 
+FitRow fit_row(const std::vector<analysis::SelfDampingPoint>& points) {
+  return row_of(analysis::fit_power_law(points));
+}
+
 Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
   const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
   const std::string_view method = name_of(keys.method);
@@ -119,7 +123,6 @@ Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
 }
 
 std::vector<OnsetRow> onsets_of(const Scene& scene, const Quadrature& quadrature, const std::vector<Point>& points) {
-  const double mass = *casefile::mass_per_length(scene);
   std::vector<OnsetRow> rows;
   for (const Quadrature::Table& table : quadrature.tables()) {
     if (table.loss.onset() == 0) continue;
@@ -127,11 +130,10 @@ std::vector<OnsetRow> onsets_of(const Scene& scene, const Quadrature& quadrature
     for (const Point& point : points) {
       if (point.tension != table.tension || std::ranges::find(seen, point.frequency) != seen.end()) continue;
       seen.push_back(point.frequency);
-      const double omega = 2 * std::numbers::pi * point.frequency;
       OnsetRow row{.tension = table.tension,
                    .frequency = point.frequency,
                    .curvature = table.loss.onset(),
-                   .antinode_amplitude = table.loss.onset() * table.tension / (mass * omega * omega),
+                   .antinode_amplitude = table.loss.onset() / quadrature.curvature_of_small_amplitude(point),
                    .slip_beyond = table.loss.loses()};
       if (scene.conductor) {
         row.amplitude_over_diameter = row.antinode_amplitude / scene.conductor->strand.outer_diameter();

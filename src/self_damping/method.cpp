@@ -48,6 +48,7 @@ std::optional<PointRow> compute_row(const Scene& scene, const Method& method, co
                .antinode_amplitude = point.antinode_amplitude,
                .tension = point.tension,
                .method = std::string(name_of(point.method))};
+  if (point.grid) row.grid = point.grid;
   if (scene.conductor) {
     row.amplitude_over_diameter = point.antinode_amplitude / scene.conductor->strand.outer_diameter();
   }

@@ -82,6 +82,25 @@ double mean_loss_of_sine(const SectionalLoss& loss, double amplitude) {
   return 2 / pi * gauss.integrate(first, pi / 2, [&](double phi) { return loss.at(amplitude * std::sin(phi)); });
 }
 
+Loop string_loop(const Wave& w) {
+  const double omega = 2 * pi * w.frequency;
+  const double square = w.mass_per_length * omega * omega / w.tension;
+  return {.wavenumber = std::sqrt(square), .curvature = square * w.antinode_amplitude, .EI = 0};
+}
+
+Loop stiff_loop(const SectionalLoss& loss, const Wave& w) {
+  Loop loop{.EI = loss.secant(0)};
+  for (int i = 0; i < 100; ++i) {
+    loop.wavenumber =
+        analysis::wavenumber({.tension = w.tension, .mass_per_length = w.mass_per_length, .EI = loop.EI}, w.frequency);
+    loop.curvature = loop.wavenumber * loop.wavenumber * w.antinode_amplitude;
+    const double EI = loss.secant(loop.curvature);
+    if (std::abs(EI - loop.EI) <= 1e-13 * loop.EI) break;
+    loop.EI = EI;
+  }
+  return loop;
+}
+
 ClampedMode clamped_mode_at(const exact::TensionedBeam& beam, double frequency) {
   const double k = analysis::wavenumber(
       {.tension = beam.tension, .mass_per_length = beam.mass_per_length, .EI = beam.EI}, frequency);
@@ -105,18 +124,12 @@ ClampedCurvature curvature_of(const ClampedMode& mode) {
   return {.free_span = k * k, .largest = std::max(at_clamp, k * k)};
 }
 
-SpanLoss loss_of_mode(const SectionalLoss& loss, const ClampedMode& mode, double antinode_amplitude) {
-  static const Gauss<16> gauss;
-  const exact::TensionedBeamMode shape(mode.beam, exact::BeamEnds::clamped, mode.number);
+namespace {
+
+/// `panel` integrates between two places of the half span.
+SpanLoss sum_over_mode(const ClampedMode& mode, const exact::TensionedBeamMode& shape,
+                       const std::function<double(double, double)>& panel) {
   const double half = mode.beam.length / 2;
-  const auto amplitude = [&](double x) { return antinode_amplitude * std::abs(shape.at(x).curvature); };
-  const auto above_onset = [&](double x) { return amplitude(x) - loss.onset(); };
-  const auto panel = [&](double from, double to) {
-    const auto lost = [&](double x) { return loss.at(amplitude(x)); };
-    if ((above_onset(from) > 0) == (above_onset(to) > 0)) return gauss.integrate(from, to, lost);
-    const double cut = bisect(from, to, above_onset);
-    return above_onset(from) > 0 ? gauss.integrate(from, cut, lost) : gauss.integrate(cut, to, lost);
-  };
   // Between two nodes the curvature rises to about the middle and falls; near the clamp it falls like exp(-q x).
   std::vector<double> cuts = curvature_nodes(shape, half);
   SpanLoss result;
@@ -138,6 +151,33 @@ SpanLoss loss_of_mode(const SectionalLoss& loss, const ClampedMode& mode, double
   result.mean = (end_loop + inner) / half;
   if (mode.number >= 3) result.free_span = inner / (half - cuts[1]);
   return result;
+}
+
+}  // namespace
+
+SpanLoss loss_of_mode(const SectionalLoss& loss, const ClampedMode& mode, double antinode_amplitude) {
+  static const Gauss<16> gauss;
+  const exact::TensionedBeamMode shape(mode.beam, exact::BeamEnds::clamped, mode.number);
+  const auto amplitude = [&](double x) { return antinode_amplitude * std::abs(shape.at(x).curvature); };
+  const auto above_onset = [&](double x) { return amplitude(x) - loss.onset(); };
+  return sum_over_mode(mode, shape, [&](double from, double to) {
+    const auto lost = [&](double x) { return loss.at(amplitude(x)); };
+    if ((above_onset(from) > 0) == (above_onset(to) > 0)) return gauss.integrate(from, to, lost);
+    const double cut = bisect(from, to, above_onset);
+    return above_onset(from) > 0 ? gauss.integrate(from, cut, lost) : gauss.integrate(cut, to, lost);
+  });
+}
+
+SpanLoss mean_over_mode(const ClampedMode& mode, double antinode_amplitude,
+                        const std::function<double(double, double)>& f) {
+  static const Gauss<16> gauss;
+  const exact::TensionedBeamMode shape(mode.beam, exact::BeamEnds::clamped, mode.number);
+  return sum_over_mode(mode, shape, [&](double from, double to) {
+    return gauss.integrate(from, to, [&](double x) {
+      const auto at = shape.at(x);
+      return f(antinode_amplitude * std::abs(at.curvature), antinode_amplitude * std::abs(at.value));
+    });
+  });
 }
 
 }  // namespace strandyn::self_damping

@@ -12,27 +12,37 @@ using casefile::Scene;
 
 namespace {
 
-/// [Hz] of a mode of the span: the string's where the quadrature goes over a sine, the beam's with all wires sticking
-/// else; clamped where the quadrature goes over clamped modes, or where the span is.
+/// [Hz] of a mode of the span: the string's where the quadrature goes over that, the beam's with all wires sticking
+/// else, between pins where the quadrature goes over a sine; clamped where the quadrature goes over clamped modes, or
+/// where the span is.
 double mode_frequency(const Scene& scene, casefile::DampingMethod method, double tension, int mode) {
   const double mass = *casefile::mass_per_length(scene);
   const double length = *scene.span->length;
   const bool string = method == casefile::DampingMethod::foti_2018 ||
                       (method == casefile::DampingMethod::quadrature &&
-                       scene.as<casefile::SelfDampingAnalysis>().mode_shape == casefile::ModeShape::sine);
+                       scene.as<casefile::SelfDampingAnalysis>().mode_shape == casefile::ModeShape::string);
+  const bool sine = method == casefile::DampingMethod::quadrature &&
+                    scene.as<casefile::SelfDampingAnalysis>().mode_shape == casefile::ModeShape::sine;
   if (string) return exact::frequency({.tension = tension, .mass_per_length = mass, .length = length}, mode);
   const exact::TensionedBeam beam = {
       .tension = tension, .EI = build::section_numbers(scene).EI_max, .mass_per_length = mass, .length = length};
-  const bool pinned = method != casefile::DampingMethod::quadrature && scene.span->left == casefile::Support::pinned &&
-                      scene.span->right == casefile::Support::pinned;
+  const bool pinned =
+      sine || (method != casefile::DampingMethod::quadrature && scene.span->left == casefile::Support::pinned &&
+               scene.span->right == casefile::Support::pinned);
   const exact::BeamEnds ends = pinned ? exact::BeamEnds::pinned : exact::BeamEnds::clamped;
   return exact::TensionedBeamMode(beam, ends, mode).frequency();
 }
 
-/// The grid as single points, in its order.
-std::vector<casefile::DampingAt> single_points(const Scene& scene) {
+struct Asked {
+  casefile::DampingAt at;
+  const char* grid = nullptr;
+};
+
+/// The grid as single points, in its order: amplitudes, then velocities.
+std::vector<Asked> single_points(const Scene& scene) {
   const casefile::SelfDampingAnalysis& a = scene.as<casefile::SelfDampingAnalysis>();
-  std::vector<casefile::DampingAt> tensions, frequencies, amplitudes, all;
+  std::vector<casefile::DampingAt> tensions, frequencies, amplitudes;
+  std::vector<Asked> all;
   for (double part : a.tensions_rts) tensions.emplace_back().tension_rts = part;
   for (double tension : a.tensions) tensions.emplace_back().tension = tension;
   for (double frequency : a.frequencies) frequencies.emplace_back().frequency = frequency;
@@ -47,11 +57,11 @@ std::vector<casefile::DampingAt> single_points(const Scene& scene) {
         point.tension_rts = tension.tension_rts;
         point.frequency = frequency.frequency;
         point.mode = frequency.mode;
-        all.push_back(point);
+        all.push_back({.at = point, .grid = point.antinode_velocity ? "velocity" : "amplitude"});
       }
     }
   }
-  all.insert(all.end(), a.at.begin(), a.at.end());
+  for (const casefile::DampingAt& at : a.at) all.push_back({.at = at});
   return all;
 }
 
@@ -60,14 +70,17 @@ std::vector<casefile::DampingAt> single_points(const Scene& scene) {
 std::vector<Point> points_of(const Scene& scene) {
   const double diameter = build::section_numbers(scene).diameter;
   std::vector<Point> points;
-  for (const casefile::DampingAt& at : single_points(scene)) {
-    Point point{.method = at.method.value_or(scene.as<casefile::SelfDampingAnalysis>().method), .mode = at.mode};
+  const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
+  for (const auto& [at, grid] : single_points(scene)) {
+    Point point{.method = at.method.value_or(keys.method), .mode = at.mode, .grid = grid};
     point.tension = at.tension ? *at.tension : *at.tension_rts * scene.conductor->strand.rated_strength;
     point.frequency = at.frequency ? *at.frequency : mode_frequency(scene, point.method, point.tension, *at.mode);
     point.antinode_amplitude = at.antinode_amplitude ? *at.antinode_amplitude
                                : at.amplitude_over_diameter
                                    ? *at.amplitude_over_diameter * diameter
                                    : *at.antinode_velocity / (2 * std::numbers::pi * point.frequency);
+    const bool cut = grid && at.antinode_velocity && keys.highest_amplitude_over_diameter;
+    if (cut && point.antinode_amplitude > *keys.highest_amplitude_over_diameter * diameter * (1 + 1e-9)) continue;
     points.push_back(point);
   }
   return points;

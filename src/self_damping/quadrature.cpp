@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "strandyn/air/still_air.hpp"
+#include "strandyn/analysis/methods.hpp"
 #include "strandyn/analysis/wind_power.hpp"
 #include "strandyn/core/side_by_side.hpp"
 #include "strandyn/self_damping/mode_loss.hpp"
@@ -19,10 +21,28 @@ const casefile::SelfDampingAnalysis& keys_of(const Scene& scene) {
   return scene.as<casefile::SelfDampingAnalysis>();
 }
 
-/// [1/m] amplitude of the curvature of a taut string.
-double string_curvature(double mass, const Point& point) {
-  const double omega = 2 * std::numbers::pi * point.frequency;
-  return mass * omega * omega * point.antinode_amplitude / point.tension;
+Wave wave_of(const Point& point, double mass) {
+  return {.tension = point.tension,
+          .mass_per_length = mass,
+          .frequency = point.frequency,
+          .antinode_amplitude = point.antinode_amplitude};
+}
+
+/// [1/m] the lowest and the highest curvature amplitude that a point may ask for.
+CurvatureRange curvatures_of(const Scene& scene, const build::SectionNumbers& numbers, double mass,
+                             const Point& point) {
+  const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
+  const double of_string = string_loop(wave_of(point, mass)).curvature;
+  if (keys.mode_shape == casefile::ModeShape::string) return {.lowest = of_string, .highest = of_string};
+  if (keys.mode_shape == casefile::ModeShape::sine) {
+    const double k = analysis::wavenumber({.tension = point.tension, .mass_per_length = mass, .EI = numbers.EI_max},
+                                          point.frequency);
+    return {.lowest = k * k * point.antinode_amplitude, .highest = of_string};
+  }
+  const ClampedCurvature chi = curvature_of(clamped_mode_at(
+      {.tension = point.tension, .EI = numbers.EI_max, .mass_per_length = mass, .length = *scene.span->length},
+      point.frequency));
+  return {.lowest = chi.free_span * point.antinode_amplitude, .highest = chi.largest * point.antinode_amplitude};
 }
 
 bool goes_over_clamped_modes(const Scene& scene) {
@@ -64,6 +84,8 @@ Quadrature::Quadrature(const Scene& scene)
     : scene_(scene),
       numbers_(build::section_numbers(scene)),
       mass_(*casefile::mass_per_length(scene)),
+      surroundings_(build::surroundings(scene)),
+      material_(build::material_branches(scene)),
       law_(build::build_law(scene, section::Dimension::planar)) {}
 
 void Quadrature::begin(const std::vector<Point>& all) {
@@ -74,14 +96,9 @@ void Quadrature::begin(const std::vector<Point>& all) {
     CurvatureRange range{.lowest = INFINITY, .highest = 0};
     for (const Point& point : points) {
       if (point.tension != tensions[i]) continue;
-      ClampedCurvature chi{.free_span = string_curvature(mass_, point), .largest = string_curvature(mass_, point)};
-      if (goes_over_clamped_modes(scene_)) {
-        chi = curvature_of(clamped_mode_at(beam_of(scene_, numbers_, point.tension), point.frequency));
-        chi.free_span *= point.antinode_amplitude;
-        chi.largest *= point.antinode_amplitude;
-      }
-      range.lowest = std::min(range.lowest, chi.free_span);
-      range.highest = std::max(range.highest, chi.largest);
+      const CurvatureRange chi = curvatures_of(scene_, numbers_, mass_, point);
+      range.lowest = std::min(range.lowest, chi.lowest);
+      range.highest = std::max(range.highest, chi.highest);
     }
     const SectionState state = {.axial_strain = tensions[i] / numbers_.EA, .EI_max = numbers_.EI_max};
     losses[i].emplace(*law_, state, range);
@@ -95,10 +112,23 @@ const SectionalLoss& Quadrature::at_tension(double tension) const {
   return std::ranges::find(tables_, tension, &Table::tension)->loss;
 }
 
+Loop Quadrature::loop_at(const Point& point) const {
+  const Wave wave = wave_of(point, mass_);
+  if (keys_of(scene_).mode_shape == casefile::ModeShape::string) return string_loop(wave);
+  return stiff_loop(at_tension(point.tension), wave);
+}
+
 double Quadrature::free_span_curvature(const Point& point) const {
-  if (!goes_over_clamped_modes(scene_)) return string_curvature(mass_, point);
+  if (!goes_over_clamped_modes(scene_)) return loop_at(point).curvature;
   return point.antinode_amplitude *
          curvature_of(clamped_mode_at(beam_of(scene_, numbers_, point.tension), point.frequency)).free_span;
+}
+
+double Quadrature::curvature_of_small_amplitude(const Point& point) const {
+  constexpr double small = 1e-9;  // [m]
+  Point still = point;
+  still.antinode_amplitude = small;
+  return free_span_curvature(still) / small;
 }
 
 double Quadrature::loss_at(double tension, double curvature) const {
@@ -118,14 +148,36 @@ double Quadrature::loss_at(double tension, double curvature) const {
 
 PointResult Quadrature::at(const Point& point, const Watch&) const {
   const SectionalLoss& loss = at_tension(point.tension);
+  const double omega = 2 * std::numbers::pi * point.frequency;
+  const double of_metal =
+      section::stiffness_at(material_, section::Component::bending2, omega).loss * std::numbers::pi * point.frequency;
+  const air::AirForce air =
+      surroundings_ ? air::force_at(surroundings_->air, surroundings_->diameter, point.frequency) : air::AirForce{};
   if (!goes_over_clamped_modes(scene_)) {
-    const double power = point.frequency * mean_loss_of_sine(loss, string_curvature(mass_, point));
-    return {.self_damping = power, .free_span = power};
+    const Loop loop = loop_at(point);
+    LossParts parts{.friction = point.frequency * mean_loss_of_sine(loss, loop.curvature),
+                    .material = of_metal * loop.curvature * loop.curvature / 2,
+                    .air = air.power_of_loop(omega * point.antinode_amplitude)};
+    parts.material_free_span = parts.material;
+    parts.air_free_span = parts.air;
+    PointResult result{.self_damping = parts.self_damping(), .free_span = parts.self_damping(), .parts = parts};
+    result.details.set("wavelength_m", 2 * std::numbers::pi / loop.wavenumber);
+    result.details.set("wave_EI_N_m2", loop.EI);
+    return result;
   }
   const ClampedMode mode = clamped_mode_at(beam_of(scene_, numbers_, point.tension), point.frequency);
   const SpanLoss lost = loss_of_mode(loss, mode, point.antinode_amplitude);
-  PointResult result{.self_damping = point.frequency * lost.mean};
-  if (lost.free_span) result.free_span = point.frequency * *lost.free_span;
+  const SpanLoss metal = mean_over_mode(mode, point.antinode_amplitude,
+                                        [&](double curvature, double) { return of_metal * curvature * curvature; });
+  const SpanLoss by_air = mean_over_mode(
+      mode, point.antinode_amplitude, [&](double, double deflection) { return air.power_of_sine(omega * deflection); });
+  const LossParts parts{.friction = point.frequency * lost.mean,
+                        .material = metal.mean,
+                        .air = by_air.mean,
+                        .material_free_span = metal.free_span,
+                        .air_free_span = by_air.free_span};
+  PointResult result{.self_damping = parts.self_damping(), .parts = parts};
+  if (lost.free_span) result.free_span = point.frequency * *lost.free_span + *metal.free_span;
   result.details.set("mode", mode.number);
   result.details.set("span_length_m", mode.beam.length);
   return result;
@@ -140,8 +192,9 @@ Expected Quadrature::expected(const std::vector<Point>& all) const {
     double lowest = INFINITY, highest = 0;
     for (const Point& point : points) {
       if (point.tension != tension) continue;
-      lowest = std::min(lowest, string_curvature(mass_, point));
-      highest = std::max(highest, string_curvature(mass_, point));
+      const CurvatureRange chi = curvatures_of(scene_, numbers_, mass_, point);
+      lowest = std::min(lowest, chi.lowest);
+      highest = std::max(highest, chi.highest);
     }
     if (law_->name() == "stick" || law_->name() == "slip" || law_->name() == "elastic") {
       expected += {.least = 65, .most = 130};

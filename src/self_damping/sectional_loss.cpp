@@ -42,6 +42,13 @@ class Batch {
     effort_ += law_.commit(history_, strains_, energy_);
     return {energy_.dissipated.begin(), energy_.dissipated.begin() + static_cast<std::ptrdiff_t>(amplitudes_.size())};
   }
+  /// [N m] where the last step has led.
+  std::vector<double> moments() {
+    section::Field stresses = strains_;
+    effort_ += law_.respond(history_, strains_, stresses, nullptr);
+    const auto& moment = stresses[Component::bending2];
+    return {moment.begin(), moment.begin() + static_cast<std::ptrdiff_t>(amplitudes_.size())};
+  }
   const section::Effort& effort() const { return effort_; }
 
  private:
@@ -101,17 +108,27 @@ std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vec
 
 }  // namespace
 
-std::vector<double> loss_per_cycle(const section::Law& law, const SectionState& state,
-                                   std::span<const double> amplitudes, const LossOptions& options,
-                                   section::Effort& effort) {
+std::vector<ClosedLoop> closed_loops(const section::Law& law, const SectionState& state,
+                                     std::span<const double> amplitudes, const LossOptions& options,
+                                     section::Effort& effort) {
   std::vector<double> lost(amplitudes.size(), 0.0);
   Batch batch(law, state.axial_strain, amplitudes);
   batch.bend(0, -1, options.steps / 2, lost);
   batch.bend(-1, 1, options.steps, lost);
   std::ranges::fill(lost, 0.0);
   batch.bend(1, -1, options.steps, lost);
-  for (double& loss : lost) loss *= 2;
+  const std::vector<double> moments = batch.moments();
+  std::vector<ClosedLoop> loops;
+  for (std::size_t i = 0; i < lost.size(); ++i) loops.push_back({.loss = 2 * lost[i], .moment = -moments[i]});
   effort += batch.effort();
+  return loops;
+}
+
+std::vector<double> loss_per_cycle(const section::Law& law, const SectionState& state,
+                                   std::span<const double> amplitudes, const LossOptions& options,
+                                   section::Effort& effort) {
+  std::vector<double> lost;
+  for (const ClosedLoop& loop : closed_loops(law, state, amplitudes, options, effort)) lost.push_back(loop.loss);
   return lost;
 }
 
@@ -119,6 +136,10 @@ SectionalLoss::SectionalLoss(const section::Law& law, const SectionState& state,
                              const LossOptions& options) {
   const CurvatureRange searched = {.lowest = below_lowest * range.lowest, .highest = range.highest};
   onset_ = find_onset(law, state, searched, effort_);
+  const double sticks = onset_ > 0 ? onset_ : searched.lowest;
+  Batch sticking(law, state.axial_strain, std::span(&sticks, 1));
+  sticking.first_step();
+  sticking_ = sticking.moments().front() / sticks;
   const double lowest = onset_ > 0 ? above_onset * onset_ : searched.lowest;
   const double highest = range.highest - onset_;
   if (highest <= lowest) {  // nothing slips, or so little that it would be lost in rounding
@@ -157,13 +178,14 @@ void SectionalLoss::add_knots(const section::Law& law, const SectionState& state
                               const LossOptions& options) {
   std::vector<double> amplitudes(places.size());
   std::ranges::transform(places, amplitudes.begin(), [this](double u) { return onset_ + std::exp(u); });
-  const std::vector<double> losses = loss_per_cycle(law, state, amplitudes, options, effort_);
+  const std::vector<ClosedLoop> loops = closed_loops(law, state, amplitudes, options, effort_);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto at = std::ranges::lower_bound(place_, places[i]) - place_.begin();
     place_.insert(place_.begin() + at, places[i]);
     amplitudes_.insert(amplitudes_.begin() + at, amplitudes[i]);
-    losses_.insert(losses_.begin() + at, losses[i]);
-    value_.insert(value_.begin() + at, std::log(std::max(losses[i], std::numeric_limits<double>::min())));
+    losses_.insert(losses_.begin() + at, loops[i].loss);
+    secants_.insert(secants_.begin() + at, loops[i].moment / amplitudes[i]);
+    value_.insert(value_.begin() + at, std::log(std::max(loops[i].loss, std::numeric_limits<double>::min())));
   }
   slope_ = monotone_slopes(place_, value_);
 }
@@ -177,6 +199,16 @@ double SectionalLoss::value_at(double place) const {
   const double s = 1 - t;
   return s * s * (1 + 2 * t) * value_[i] + t * t * (1 + 2 * s) * value_[i + 1] +
          s * t * h * (s * slope_[i] - t * slope_[i + 1]);
+}
+
+double SectionalLoss::secant(double amplitude) const {
+  if (losses_.empty() || !(amplitude > onset_)) return sticking_;
+  const double place = std::log(amplitude - onset_);
+  if (place <= place_.front()) return secants_.front();
+  if (place >= place_.back()) return secants_.back();
+  const auto i = static_cast<std::size_t>(std::ranges::upper_bound(place_, place) - place_.begin()) - 1;
+  const double t = (place - place_[i]) / (place_[i + 1] - place_[i]);
+  return (1 - t) * secants_[i] + t * secants_[i + 1];
 }
 
 double SectionalLoss::at(double amplitude) const {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <mutex>
+#include <numbers>
 
 #include "entries.hpp"
 #include "outlook.hpp"
@@ -10,6 +11,7 @@
 #include "strandyn/self_damping/balance.hpp"
 #include "strandyn/self_damping/compare.hpp"
 #include "strandyn/self_damping/fit.hpp"
+#include "strandyn/self_damping/grid_fit.hpp"
 #include "strandyn/self_damping/log.hpp"
 
 namespace strandyn::study {
@@ -81,6 +83,7 @@ class March {
 struct StudySummary {
   std::vector<PointRow> points;
   self_damping::Fits fits;
+  self_damping::GridFits grids;
   std::optional<std::vector<self_damping::OnsetRow>> onsets{};
   std::optional<std::vector<self_damping::ComparisonRow>> comparisons{};
   std::optional<std::vector<self_damping::BalanceRow>> balances{};
@@ -89,6 +92,7 @@ template <class V>
 void members(V& v, StudySummary& s) {
   v.list("points", s.points, {.what = "the points of the study"});
   v.part(s.fits);
+  v.part(s.grids);
   v.list("no_slip_below", s.onsets, {.what = "amplitudes below which no contact slips"});
   v.list("comparisons", s.comparisons, {.what = "points that several methods have reached"});
   v.list("energy_balance", s.balances, {.what = "how far a bare conductor vibrates in the wind"});
@@ -114,11 +118,12 @@ void members(V& v, StudyFacts& f) {
 void add_point_tables(const std::vector<PointRow>& rows, Outcome& outcome) {
   for (const auto& [method, name] : choices<DampingMethod>) {
     results::Table table({"frequency_Hz", "antinode_amplitude_m", "tension_N", "self_damping_W_per_m",
-                          "self_damping_free_span_W_per_m"});
+                          "self_damping_free_span_W_per_m", "friction_W_per_m", "material_W_per_m", "air_W_per_m"});
     for (const PointRow& row : rows) {
       if (row.method != name || !row.has_numbers()) continue;
+      const self_damping::LossParts parts = row.parts.value_or(self_damping::LossParts{.friction = *row.self_damping});
       table.append(std::array{row.frequency, row.antinode_amplitude, row.tension, *row.self_damping,
-                              row.free_span.value_or(*row.self_damping)});
+                              row.free_span.value_or(*row.self_damping), parts.friction, parts.material, parts.air});
     }
     if (table.rows() == 0) continue;
     const bool any_loss = std::ranges::any_of(table.column("self_damping_W_per_m"), [](double w) { return w > 0; });
@@ -135,6 +140,31 @@ void add_point_tables(const std::vector<PointRow>& rows, Outcome& outcome) {
     outcome.shown.push_back({.title = fmt::format("Points by {}", name), .table = file, .columns = table.names()});
     outcome.tables.push_back({.file = file, .table = std::move(table)});
   }
+}
+
+/// local_exponents.csv: of all that is lost, at each point of a grid.
+void add_local_exponents(const Scene& scene, const std::vector<PointRow>& rows, Outcome& outcome) {
+  results::Table table(
+      {"antinode_velocity_m_per_s", "frequency_Hz", "antinode_amplitude_m", "tension_N", "l", "m", "n"});
+  for (const std::string_view grid : {self_damping::velocity_grid, self_damping::amplitude_grid}) {
+    for (const auto& local : self_damping::local_exponents(self_damping::all_that_is_lost(scene, rows, grid))) {
+      if (!local.l || !local.m || !local.n) continue;
+      table.append(std::array{2 * std::numbers::pi * local.at.frequency * local.at.antinode_amplitude,
+                              local.at.frequency, local.at.antinode_amplitude, local.at.tension, *local.l, *local.m,
+                              *local.n});
+    }
+  }
+  if (table.rows() < 2) return;
+  outcome.figures.push_back({.name = "local_exponents",
+                             .title = "Exponents from point to point",
+                             .table = "local_exponents.csv",
+                             .x = "frequency_Hz",
+                             .y = {"l", "m", "n"},
+                             .series = {"tension_N", "antinode_velocity_m_per_s"},
+                             .caption =
+                                 "Exponents of amplitude (l), frequency (m) and tension (n) of all that is lost, "
+                                 "by differences between neighbouring points. One power law would be three lines."});
+  outcome.tables.push_back({.file = "local_exponents.csv", .table = std::move(table)});
 }
 
 /// bench_readings.csv: the four readings of each bench, side by side.
@@ -280,7 +310,15 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
 }
 
 void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outcome& outcome) const {
-  StudySummary summary{.points = rows, .fits = self_damping::fit_points(scene_, rows)};
+  StudySummary summary{
+      .points = rows, .fits = self_damping::fit_points(scene_, rows), .grids = self_damping::fit_grids(scene_, rows)};
+  for (std::string& warning : self_damping::warnings_of_points(scene_, rows)) {
+    outcome.warnings.push_back(std::move(warning));
+  }
+  for (const auto& [grid, name] :
+       {std::pair{&summary.grids.by_velocity, "velocities"}, {&summary.grids.by_amplitude, "amplitudes"}}) {
+    if (*grid && (*grid)->caveat) outcome.warnings.push_back(fmt::format("grid of {}: {}", name, *(*grid)->caveat));
+  }
   const Quadrature* quadrature = nullptr;
   if (methods_.contains(DampingMethod::quadrature)) {
     quadrature = &dynamic_cast<const Quadrature&>(*methods_.at(DampingMethod::quadrature));
@@ -298,6 +336,7 @@ void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outco
   }
   outcome.tell(summary);
   add_point_tables(rows, outcome);
+  add_local_exponents(scene_, rows, outcome);
   add_readings(rows, outcome);
   if (quadrature) add_loss_table(*quadrature, outcome);
   if (summary.balances) add_balances(*summary.balances, outcome);

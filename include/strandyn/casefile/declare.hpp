@@ -39,7 +39,7 @@ inline constexpr Unit N_per_m{"N_per_m", "N/m", 1};
 inline constexpr Unit N_s_per_m{"N_s_per_m", "N s/m", 1};
 inline constexpr Unit N_s_per_m2{"N_s_per_m2", "N s/m^2", 1};
 inline constexpr Unit m2_per_s{"m2_per_s", "m^2/s", 1};
-inline constexpr Unit celsius{"C", "degrees Celsius", 1};
+inline constexpr Unit celsius{"C", "Celsius", 1};
 inline constexpr Unit GPa{"GPa", "gigapascals", 1e9};
 inline constexpr Unit kg{"kg", "kilograms", 1};
 inline constexpr Unit kg_m{"kg_m", "kg m", 1};

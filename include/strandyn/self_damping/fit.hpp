@@ -40,6 +40,8 @@ void members(V& v, FitRow& f) {
   v.value("no_slip_below_m", f.no_slip_below, {.what = "the largest amplitude up to which no point loses anything"});
 }
 
+FitRow fit_row(const std::vector<analysis::SelfDampingPoint>& points);
+
 /// A fit of the points in a band of amplitude over diameter.
 struct BandRow {
   double lowest = 0, highest = 0;
@@ -131,7 +133,7 @@ void members(V& v, OnsetRow& o) {
   v.value("tension_N", o.tension, {.what = "the tension"});
   v.value("frequency_Hz", o.frequency, {.what = "the frequency"});
   v.value("curvature_per_m", o.curvature, {.what = "at which the first contact slips"});
-  v.value("antinode_amplitude_m", o.antinode_amplitude, {.what = "of a taut string that has this curvature"});
+  v.value("antinode_amplitude_m", o.antinode_amplitude, {.what = "of the free span that has this curvature"});
   v.value("amplitude_over_diameter", o.amplitude_over_diameter, {.what = "the same over the diameter"});
   v.value("slip_beyond", o.slip_beyond, {.what = "whether anything slips in the range of the study"});
 }

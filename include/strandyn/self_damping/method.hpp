@@ -24,6 +24,7 @@ struct Point {
   double antinode_amplitude = 0;  ///< [m] half of peak to peak
   double tension = 0;             ///< [N]
   std::optional<int> mode{};      ///< where the case named the frequency by a mode of the span, from 1
+  const char* grid = nullptr;     ///< what its amplitude came from: "velocity", "amplitude"; null for a single point
 
   build::PointAsk ask() const { return {.frequency = frequency, .tension = tension, .mode = mode}; }
 };
@@ -80,6 +81,7 @@ struct PointRow {
   double antinode_amplitude = 0;
   double tension = 0;
   std::string method;
+  std::optional<std::string> grid{};
   std::optional<double> amplitude_over_diameter{};
   std::optional<std::uint64_t> section_evaluations{}, section_sweeps{};
   std::optional<std::string> failed{};
@@ -98,6 +100,7 @@ void members(V& v, PointRow& r) {
   v.value("tension_N", r.tension, {.what = "the tension at rest"});
   v.value("method", r.method, {.what = "how the point was computed"});
   v.value("road", r.method, {.what = "the same word, by its old name"});
+  v.value("grid", r.grid, {.what = "velocity or amplitude: what the grid gave; absent for a single point"});
   v.value("amplitude_over_diameter", r.amplitude_over_diameter,
           {.what = "the amplitude over the conductor's diameter"});
   v.value("section_evaluations", r.section_evaluations, {.what = "what the point took"});

@@ -1,10 +1,14 @@
 #pragma once
 /// \file The method "quadrature": the sectional loss summed over the free span as a sine, or over a clamped mode; no
-/// time is integrated. Its tables of the sectional loss, one per tension, are made for the range of all points of the
-/// study and of its energy balances, so that no number depends on what is left to do.
+/// time is integrated. The metal of the wires and still air come in closed form beside it: pi f E'' chi^2 and the power
+/// of a sine of velocity, the mean over the same lengths. Its tables of the sectional loss, one per tension, are made
+/// for the range of all points of the study and of its energy balances, so that no number depends on what is left to
+/// do.
 
+#include "strandyn/build/losses.hpp"
 #include "strandyn/build/section_law.hpp"
 #include "strandyn/self_damping/method.hpp"
+#include "strandyn/self_damping/mode_loss.hpp"
 #include "strandyn/self_damping/sectional_loss.hpp"
 
 namespace strandyn::self_damping {
@@ -23,8 +27,12 @@ class Quadrature final : public Method {
   };
   const std::vector<Table>& tables() const { return tables_; }
   const SectionalLoss& at_tension(double tension) const;
+  /// The loop of a point where the quadrature goes over a sine.
+  Loop loop_at(const Point& point) const;
   /// [1/m] amplitude of the curvature of the free span.
   double free_span_curvature(const Point& point) const;
+  /// [1/m^2] curvature over antinode amplitude while all wires stick.
+  double curvature_of_small_amplitude(const Point& point) const;
   /// [J/m] per cycle: what a sine of this curvature loses at any tension, without a table, for ratios: by the rule of
   /// 24 places.
   double loss_at(double tension, double curvature) const;
@@ -33,6 +41,8 @@ class Quadrature final : public Method {
   const casefile::Scene& scene_;
   build::SectionNumbers numbers_;
   double mass_ = 0;  ///< [kg/m]
+  std::optional<model::Surroundings> surroundings_;
+  section::MaterialBranches material_;
   std::shared_ptr<const section::Law> law_;
   std::vector<Table> tables_;
 };

@@ -6,6 +6,8 @@
 /// other: half a cycle is enough, and after one half the limits that follow the wire forces have settled. The loss is
 /// the trapezoidal work (dissipation less the error of the steps): 64 steps take 5e-4 too little, 32 take 2e-3.
 ///
+/// The secant stiffness M(chi)/chi at the peak of the closed loop comes with it: it sets the length of the wave.
+///
 /// D rises from an onset chi_on (the first slip of rigid contacts; zero where contacts give) and is tabulated in
 ///     v = ln D,   u = ln(chi - chi_on)
 /// in which it is nearly straight from the onset (D linear in chi - chi_on) to full slip (D ~ chi): monotone cubics
@@ -37,7 +39,16 @@ struct LossOptions {
   int passes = 6;            ///< at most
 };
 
-/// [J/m] of each amplitude, without a table.
+/// A closed loop.
+struct ClosedLoop {
+  double loss = 0;    ///< [J/m] per cycle
+  double moment = 0;  ///< [N m] at its peak
+};
+/// Of each amplitude, without a table.
+std::vector<ClosedLoop> closed_loops(const section::Law& law, const SectionState& state,
+                                     std::span<const double> amplitudes, const LossOptions& options,
+                                     section::Effort& effort);
+/// [J/m] the loss alone.
 std::vector<double> loss_per_cycle(const section::Law& law, const SectionState& state,
                                    std::span<const double> amplitudes, const LossOptions& options,
                                    section::Effort& effort);
@@ -48,7 +59,9 @@ class SectionalLoss {
   SectionalLoss(const section::Law& law, const SectionState& state, const CurvatureRange& range,
                 const LossOptions& options = {});
 
-  double at(double amplitude) const;                                     ///< [J/m]
+  double at(double amplitude) const;  ///< [J/m]
+  /// [N m^2] at the peak of the loop; below all knots that of the lowest one, or of sticking wires.
+  double secant(double amplitude) const;
   double onset() const { return onset_; }                                ///< [1/m] nothing is lost up to here
   bool loses() const { return !losses_.empty(); }                        ///< anywhere in the range
   const std::vector<double>& amplitudes() const { return amplitudes_; }  ///< [1/m] of the knots
@@ -62,7 +75,8 @@ class SectionalLoss {
   double value_at(double place) const;  ///< v of u
 
   double onset_ = 0;
-  std::vector<double> amplitudes_, losses_;
+  double sticking_ = 0;  ///< [N m^2] secant up to the onset
+  std::vector<double> amplitudes_, losses_, secants_;
   std::vector<double> place_, value_, slope_;  ///< u, v and dv/du of the knots
   section::Effort effort_;
 };

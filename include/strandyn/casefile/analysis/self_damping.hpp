@@ -19,9 +19,10 @@ constexpr auto words_of(DampingMethod) {
                     Named{DampingMethod::transient, "transient"}, Named{DampingMethod::foti_2018, "foti-2018"}};
 }
 
-enum class ModeShape { sine, clamped };
+enum class ModeShape { sine, string, clamped };
 constexpr auto words_of(ModeShape) {
-  return std::array{Named{ModeShape::sine, "sine"}, Named{ModeShape::clamped, "clamped"}};
+  return std::array{Named{ModeShape::sine, "sine"}, Named{ModeShape::string, "string"},
+                    Named{ModeShape::clamped, "clamped"}};
 }
 
 enum class BenchStart { mode, rest };
@@ -145,14 +146,15 @@ void keys(V& v, BenchKeys& b) {
 
 struct SelfDampingAnalysis {
   static constexpr std::string_view word = "self-damping";
-  static constexpr bool sets_tension = true;     ///< the span needs none of its own
-  std::vector<double> frequencies;               ///< [Hz] this or
-  std::vector<double> modes;                     ///< counted from 1
-  std::vector<double> amplitudes_over_diameter;  ///< [-] one of these three
-  std::vector<double> antinode_amplitudes;       ///< [m]
-  std::vector<double> antinode_velocities;       ///< [m/s]
-  std::vector<double> tensions_rts;              ///< [-] this or
-  std::vector<double> tensions;                  ///< [N]
+  static constexpr bool sets_tension = true;              ///< the span needs none of its own
+  std::vector<double> frequencies;                        ///< [Hz] this or
+  std::vector<double> modes;                              ///< counted from 1
+  std::vector<double> amplitudes_over_diameter;           ///< [-] this or
+  std::vector<double> antinode_amplitudes;                ///< [m]
+  std::vector<double> antinode_velocities;                ///< [m/s] beside the others, or in their place
+  std::optional<double> highest_amplitude_over_diameter;  ///< [-] of the points that the velocities give
+  std::vector<double> tensions_rts;                       ///< [-] this or
+  std::vector<double> tensions;                           ///< [N]
   DampingMethod method = DampingMethod::quadrature;
   ModeShape mode_shape = ModeShape::sine;
   std::vector<DampingAt> at;
@@ -175,21 +177,31 @@ void keys(V& v, SelfDampingAnalysis& a) {
             {.help = "modes of the span, whose frequencies are taken at each tension, one or a list",
              .at_least = 1,
              .whole = true});
-  v.one_of({"amplitude_over_diameter", "antinode_amplitude_mm", "antinode_velocity_m_per_s"}, {});
+  v.one_of({"amplitude_over_diameter", "antinode_amplitude_mm"}, {});
   v.numbers("amplitude_over_diameter", a.amplitudes_over_diameter,
             {.help = "antinode amplitudes as parts of the conductor's diameter, one or a list", .above = 0});
   v.numbers("antinode_amplitude_mm", a.antinode_amplitudes,
             {.help = "antinode amplitudes, one or a list", .unit = units::mm, .above = 0});
-  v.numbers("antinode_velocity_m_per_s", a.antinode_velocities,
-            {.help = "velocity amplitudes of the antinode, one or a list", .unit = units::m_per_s, .above = 0});
+  v.numbers(
+      "antinode_velocity_m_per_s", a.antinode_velocities,
+      {.help = "velocity amplitudes of the antinode, one or a list, beside the amplitudes or in their place (0.05 to "
+               "0.4 unless any is given: what laboratories run)",
+       .unit = units::m_per_s,
+       .above = 0});
+  v.number(
+      "highest_amplitude_over_diameter", a.highest_amplitude_over_diameter,
+      {.help = "the antinode amplitude over the diameter above which the velocities of the grid give no point (0.5 "
+               "where they are not given)",
+       .above = 0});
   v.one_of({"tensions_rts", "tensions_kN"}, {});
   v.numbers("tensions_rts", a.tensions_rts,
             {.help = "tensions as parts of the rated strength, one or a list", .above = 0, .at_most = 1});
   v.numbers("tensions_kN", a.tensions, {.help = "tensions, one or a list", .unit = units::kN, .above = 0});
   v.choice("method", a.method, {.help = "how a point is computed", .old_name = "road"});
-  v.choice("mode_shape", a.mode_shape,
-           {.help = "the shape that the quadrature goes over: the sine of a taut string, or the mode of the "
-                    "span with its clamped ends"});
+  v.choice(
+      "mode_shape", a.mode_shape,
+      {.help = "the shape that the quadrature goes over: the sine of a wave that feels the bending stiffness of the "
+               "law, that of a taut string without any, or the mode of the span with its clamped ends"});
   v.tables("at", a.at, {.help = "single points beside the grid, each with a method of its own if wanted"});
   v.rows("bands_over_diameter", a.bands,
          {{{.help = "the smallest antinode amplitude over the diameter", .at_least = 0},

@@ -1,0 +1,204 @@
+#include "strandyn/self_damping/grid_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace strandyn::self_damping {
+
+using analysis::SelfDampingPoint;
+using analysis::TestCondition;
+using casefile::Scene;
+
+namespace {
+
+/// What a power law may be off by before it is called none, and how far its exponents may wander.
+constexpr double largest_scatter = 0.1;
+constexpr double largest_range = 0.5;
+/// What laboratories run: beyond, the loss is an extrapolation of the section law.
+constexpr double highest_velocity = 1;   // [m/s]
+constexpr double highest_amplitude = 1;  // [-] over the diameter
+constexpr double shortest_wave = 40;     // [-] over the diameter: a loop of 20
+
+bool alike(double a, double b) {
+  return std::abs(a - b) <= 1e-6 * std::abs(b);
+}
+
+/// Neighbours of points[i] along a variable, where two others stay: the next smaller and the next larger one, or
+/// itself.
+template <class Stays, class Of>
+std::pair<std::size_t, std::size_t> neighbours(const std::vector<SelfDampingPoint>& points, std::size_t i,
+                                               const Stays& stays, const Of& of) {
+  std::size_t below = i, above = i;
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    if (points[j].power <= 0 || !stays(points[j].at, points[i].at)) continue;
+    const double x = of(points[j].at), here = of(points[i].at);
+    if (x < here && !alike(x, here) && (below == i || x > of(points[below].at))) below = j;
+    if (x > here && !alike(x, here) && (above == i || x < of(points[above].at))) above = j;
+  }
+  return {below, above};
+}
+
+double velocity_of(const TestCondition& at) {
+  return at.frequency * at.antinode_amplitude;
+}
+
+std::optional<Triple> spread(const std::vector<LocalExponents>& all, std::optional<double> LocalExponents::*which) {
+  std::vector<double> values;
+  for (const LocalExponents& local : all) {
+    if (local.*which) values.push_back(*(local.*which));
+  }
+  if (values.empty()) return std::nullopt;
+  std::ranges::sort(values);
+  return Triple{values.front(), values[values.size() / 2], values.back()};
+}
+
+template <class Power>
+std::vector<SelfDampingPoint> points_of_grid(const Scene& scene, const std::vector<PointRow>& rows,
+                                             std::string_view grid, const Power& power) {
+  const std::string_view method = name_of(scene.as<casefile::SelfDampingAnalysis>().method);
+  std::vector<SelfDampingPoint> points;
+  for (const PointRow& row : rows) {
+    if (row.method != method || row.grid != grid || !row.has_numbers()) continue;
+    points.push_back(
+        {.at = {.antinode_amplitude = row.antinode_amplitude, .frequency = row.frequency, .tension = row.tension},
+         .power = power(row)});
+  }
+  return points;
+}
+
+double self_damping_of(const PointRow& row) {
+  return *row.self_damping;
+}
+double friction_of(const PointRow& row) {
+  return row.parts ? row.parts->friction : *row.self_damping;
+}
+double dissipation_of(const PointRow& row) {
+  return *row.self_damping + (row.parts ? row.parts->air : 0);
+}
+
+std::optional<std::string> caveat_of(const FitRow& fit, const LocalRow& local) {
+  std::string words;
+  const auto wanders = [&](const std::optional<Triple>& range, const char* name) {
+    if (!range || range->back() - range->front() <= largest_range) return;
+    words += fmt::format("{}{} from {:.2f} to {:.2f}", words.empty() ? "" : ", ", name, range->front(), range->back());
+  };
+  wanders(local.l, "l");
+  wanders(local.m, "m");
+  wanders(local.n, "n");
+  if (words.empty() && fit.scatter <= largest_scatter) return std::nullopt;
+  return fmt::format("no power law: the points lie {:.0f} % off the fitted one (rms){}{}", 100 * fit.scatter,
+                     words.empty() ? "" : ", and from point to point of the grid the exponents go: ", words);
+}
+
+std::optional<GridFit> fit_of(const Scene& scene, const std::vector<PointRow>& rows, std::string_view grid) {
+  const auto damping = points_of_grid(scene, rows, grid, self_damping_of);
+  if (damping.empty()) return std::nullopt;
+  const auto sum = [](const std::vector<SelfDampingPoint>& points) {
+    double power = 0;
+    for (const SelfDampingPoint& point : points) power += point.power;
+    return power;
+  };
+  GridFit fit{.self_damping = fit_row(damping), .local = {}};
+  const auto friction = points_of_grid(scene, rows, grid, friction_of);
+  const auto lost = points_of_grid(scene, rows, grid, dissipation_of);
+  if (sum(friction) != sum(damping)) fit.friction = fit_row(friction);
+  if (sum(lost) != sum(damping)) fit.dissipation = fit_row(lost);
+  const std::vector<LocalExponents> local = local_exponents(lost);
+  fit.local = {.l = spread(local, &LocalExponents::l),
+               .m = spread(local, &LocalExponents::m),
+               .n = spread(local, &LocalExponents::n)};
+  fit.caveat = caveat_of(fit.dissipation.value_or(fit.self_damping), fit.local);
+  return fit;
+}
+
+}  // namespace
+
+std::vector<SelfDampingPoint> all_that_is_lost(const Scene& scene, const std::vector<PointRow>& rows,
+                                               std::string_view grid) {
+  return points_of_grid(scene, rows, grid, dissipation_of);
+}
+
+std::vector<LocalExponents> local_exponents(const std::vector<SelfDampingPoint>& points) {
+  const auto amplitude = [](const TestCondition& at) { return at.antinode_amplitude; };
+  const auto frequency = [](const TestCondition& at) { return at.frequency; };
+  const auto tension = [](const TestCondition& at) { return at.tension; };
+  const auto rise = [&](const std::pair<std::size_t, std::size_t>& between, const auto& of) {
+    return std::log(of(points[between.second].at) / of(points[between.first].at));
+  };
+  const auto of_power = [&](const std::pair<std::size_t, std::size_t>& between) {
+    return std::log(points[between.second].power / points[between.first].power);
+  };
+  std::vector<LocalExponents> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].power <= 0) continue;
+    LocalExponents local{.at = points[i].at};
+    const auto along_A = neighbours(
+        points, i,
+        [](const auto& a, const auto& b) { return alike(a.frequency, b.frequency) && alike(a.tension, b.tension); },
+        amplitude);
+    if (along_A.first != along_A.second) local.l = of_power(along_A) / rise(along_A, amplitude);
+    const auto same_amplitude = [](const auto& a, const auto& b) {
+      return alike(a.tension, b.tension) && alike(a.antinode_amplitude, b.antinode_amplitude);
+    };
+    const auto same_velocity = [](const auto& a, const auto& b) {
+      return alike(a.tension, b.tension) && alike(velocity_of(a), velocity_of(b));
+    };
+    auto along_f = neighbours(points, i, same_amplitude, frequency);
+    if (along_f.first == along_f.second) along_f = neighbours(points, i, same_velocity, frequency);
+    if (along_f.first != along_f.second && local.l) {
+      local.m = (of_power(along_f) - *local.l * rise(along_f, amplitude)) / rise(along_f, frequency);
+    }
+    const auto along_T = neighbours(
+        points, i,
+        [](const auto& a, const auto& b) {
+          return alike(a.frequency, b.frequency) && alike(a.antinode_amplitude, b.antinode_amplitude);
+        },
+        tension);
+    if (along_T.first != along_T.second) local.n = -of_power(along_T) / rise(along_T, tension);
+    all.push_back(local);
+  }
+  return all;
+}
+
+GridFits fit_grids(const Scene& scene, const std::vector<PointRow>& rows) {
+  return {.by_velocity = fit_of(scene, rows, velocity_grid), .by_amplitude = fit_of(scene, rows, amplitude_grid)};
+}
+
+std::vector<std::string> warnings_of_points(const Scene& scene, const std::vector<PointRow>& rows) {
+  const double mass = *casefile::mass_per_length(scene);
+  const double diameter = scene.conductor ? scene.conductor->strand.outer_diameter() : 0;
+  std::size_t fast = 0, wide = 0, brief = 0;
+  double fastest = 0, widest = 0, briefest = INFINITY;
+  for (const PointRow& row : rows) {
+    const double velocity = 2 * std::numbers::pi * row.frequency * row.antinode_amplitude;
+    fast += velocity > highest_velocity ? 1 : 0;
+    fastest = std::max(fastest, velocity);
+    if (diameter == 0) continue;
+    const double amplitude = row.antinode_amplitude / diameter;
+    const double wave = std::sqrt(row.tension / mass) / row.frequency / diameter;
+    wide += amplitude > highest_amplitude ? 1 : 0;
+    brief += wave < shortest_wave ? 1 : 0;
+    widest = std::max(widest, amplitude);
+    briefest = std::min(briefest, wave);
+  }
+  std::vector<std::string> warnings;
+  const auto warn = [&](std::size_t count, const std::string& what) {
+    if (count > 0) warnings.push_back(fmt::format("{} of {} points {}", count, rows.size(), what));
+  };
+  warn(fast,
+       fmt::format("have an antinode velocity above {:g} m/s, up to {:.3g}: laboratories run 0.05 to 0.4 m/s, and "
+                   "no measurement stands beside these points",
+                   highest_velocity, fastest));
+  warn(wide, fmt::format("have an antinode amplitude above the diameter, up to {:.3g} of it: no laboratory runs them",
+                         widest));
+  warn(brief,
+       fmt::format("have a wave shorter than {:g} diameters, down to {:.3g}: plane sections of a strand are doubtful "
+                   "there",
+                   shortest_wave, briefest));
+  return warnings;
+}
+
+}  // namespace strandyn::self_damping
