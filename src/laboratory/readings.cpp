@@ -86,13 +86,7 @@ double lost_between(const BenchSpan& bench, const SteadyRun& steady, double from
 }
 
 std::vector<LoopPoint> loop_points(const BenchSpan& bench, const SteadyRun& steady) {
-  const model::Model& model = bench.at_rest().built.model;
-  solver::PeriodicState state{.frequency = steady.drive.frequency,
-                              .harmonics = Eigen::MatrixXd(steady.motion.size(), 3)};
-  state.harmonics << Vector::Zero(steady.motion.size()), steady.motion.real(), -steady.motion.imag();
-  const solver::Place middle = {.node = model.nodes.size() / 2};
-  return solver::PeriodicSolver(bench.at_rest().system, bench.at_rest().u, {.drive = middle, .control = middle})
-      .loop_points(state);
+  return solver::loop_points(bench.at_rest().built.model, model::Unknown::y, steady.motion);
 }
 
 /// [m] the largest antinode of the fundamental, a loop and more from the ends where there are three.

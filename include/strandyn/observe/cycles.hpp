@@ -26,6 +26,10 @@ struct Cycle {
   double quadrature_error = 0;
   double internal_work = 0;
   std::size_t elements_slipping = 0;  ///< in which some friction was dissipated
+
+  /// What counts as self-damping, and all that physics takes.
+  double self_damping() const { return friction + viscous; }
+  double dissipated() const { return self_damping(); }
 };
 
 /// The columns of cycles.csv and the members of `cycles[]`.
@@ -61,9 +65,13 @@ struct CycleOptions {
 /// Along the span, one entry per section point, mean of the last cycles.
 struct Profile {
   std::vector<double> position;             ///< [m] along the reference configuration
+  std::vector<double> length;               ///< [m] without tension, for which the point stands
   std::vector<double> friction;             ///< [J/m] per cycle
   std::vector<double> curvature_amplitude;  ///< [1/m] half of peak to peak, about the axis where it is larger
   std::size_t cycles = 0;                   ///< over how many
+
+  /// [J/m] per cycle that count as self-damping.
+  double self_damping(std::size_t point) const { return friction[point]; }
 };
 
 /// Cuts a run into cycles. An end that falls inside a step is found by linear interpolation of the ledger.
