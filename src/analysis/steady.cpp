@@ -43,4 +43,39 @@ bool is_steady(std::span<const CycleFlow> cycles, double nothing) {
          std::abs(in - lost) <= 5e-3 * std::abs(in) + nothing * static_cast<double>(cycles.size());
 }
 
+namespace {
+
+/// Of the least-squares line from the first to the last, of the mean; 0 where that is.
+double drift(std::span<const CycleFlow> cycles, double CycleFlow::*value) {
+  const auto count = static_cast<double>(cycles.size());
+  double mean = 0;
+  for (const CycleFlow& cycle : cycles) mean += cycle.*value / count;
+  double along = 0, squares = 0;
+  for (std::size_t i = 0; i < cycles.size(); ++i) {
+    const double x = static_cast<double>(i) - (count - 1) / 2;
+    along += x * (cycles[i].*value - mean);
+    squares += x * x;
+  }
+  return squares > 0 && mean != 0 ? along / squares * (count - 1) / mean : 0;
+}
+
+}  // namespace
+
+Steadiness steadiness(std::span<const CycleFlow> cycles) {
+  Steadiness found{.cycles = cycles.size(),
+                   .amplitude_drift = drift(cycles, &CycleFlow::amplitude),
+                   .loss_drift = drift(cycles, &CycleFlow::lost)};
+  double in = 0, lost = 0;
+  for (const CycleFlow& cycle : cycles) in += cycle.in, lost += cycle.lost;
+  if (lost > 0) found.work_in_over_lost = in / lost;
+  return found;
+}
+
+bool is_steady(const Steadiness& s) {
+  constexpr double balance = 5e-3, loss = 5e-3, amplitude = 3e-3;
+  return s.cycles >= cycles_that_show_steadiness && s.work_in_over_lost &&
+         std::abs(*s.work_in_over_lost - 1) <= balance && std::abs(s.loss_drift) <= loss &&
+         std::abs(s.amplitude_drift) <= amplitude;
+}
+
 }  // namespace strandyn::analysis

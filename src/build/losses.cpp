@@ -29,21 +29,43 @@ section::Metal metal_of(const conductor::Layer& layer, const casefile::Material&
   return metal;
 }
 
-}  // namespace
-
-section::MaterialBranches material_branches(const casefile::Scene& scene) {
-  if (!scene.material) return {};
-  const casefile::Material& keys = *scene.material;
+section::MaterialLoss of_sticking_wires(const casefile::Scene& scene, const casefile::Material& keys) {
   if (!casefile::needs_strand(scene.section.law)) {
     const SectionNumbers n = section_numbers(scene);
-    return section::material_branches({n.EA, n.GJ, n.EI_max, n.EI_max}, keys.loss_factor);
+    return section::material_loss({n.EA, n.GJ, n.EI_max, n.EI_max}, keys.loss_factor);
   }
   const conductor::Strand& strand = scene.conductor->strand;
   std::vector<section::Metal> metals;
   for (const conductor::Layer& layer : strand.layers) metals.push_back(metal_of(layer, keys));
-  return section::material_branches(
+  return section::material_loss(
       strand, metals, keys.temperature + kelvin,
       scene.section.law == casefile::Law::slip ? section::Wires::slipping : section::Wires::sticking);
+}
+
+/// [-] bending stiffness of the law at rest over that which its branches are made for.
+double stiffness_at_rest(const casefile::Scene& scene, double tension) {
+  using section::Component;
+  const SectionNumbers n = section_numbers(scene);
+  const auto law = build_law(scene, section::Dimension::planar);
+  section::Field strains(section::Dimension::planar, 1);
+  strains[Component::axial][0] = tension / n.EA;
+  section::Field stresses = strains;
+  section::TangentField tangents(section::Dimension::planar, 1);
+  law->respond(law->start(strains), strains, stresses, &tangents);
+  const bool slips = scene.section.law == casefile::Law::slip;
+  return tangents(Component::bending2, Component::bending2)[0] / (slips ? n.EI_min : n.EI_max);
+}
+
+}  // namespace
+
+section::MaterialLoss material_loss(const casefile::Scene& scene, double tension) {
+  if (!scene.material) return {};
+  section::MaterialLoss loss = of_sticking_wires(scene, *scene.material);
+  const double share = stiffness_at_rest(scene, tension);
+  for (const auto c : {section::Component::bending2, section::Component::bending3}) {
+    loss.constant[static_cast<std::size_t>(c)] *= share;
+  }
+  return loss;
 }
 
 std::optional<model::Surroundings> surroundings(const casefile::Scene& scene) {

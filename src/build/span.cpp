@@ -141,7 +141,7 @@ BuiltSpan build_span(const casefile::Scene& scene) {
   built.model.mass_matrix = scene.span->mass;
   built.model.drag = scene.damping.drag;
   built.model.surroundings = surroundings(scene);
-  built.model.material = material_branches(scene);
+  built.model.material = section::branches_of(material_loss(scene, built.tension));
   add_supports(scene, built);
   add_loads(scene, built);
   add_motions(scene, built);

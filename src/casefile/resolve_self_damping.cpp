@@ -114,7 +114,7 @@ void check_balances(const Scene& scene) {
     if (!law->tension) {
       refuse(scene.source, path + ".law", "has no exponent of the tension", "choose a law that has one");
     }
-    if (!balance.factor && !law->takes_common_factor) {
+    if (!balance.factor && !law->takes_common_factor && !law->takes_similarity) {
       refuse(scene.source, path + ".factor", "is missing, and this law was published without one",
              "give k for metres, hertz and kilonewtons");
     }

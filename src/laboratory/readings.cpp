@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "strandyn/solver/periodic/periodic.hpp"
+#include "strandyn/span/free_span.hpp"
 
 namespace strandyn::laboratory {
 
@@ -64,22 +65,6 @@ std::vector<double> viscous_by_node(const span::SpanAtRest& span, const Eigen::V
   return power;
 }
 
-/// [m] of the piece from `low` to `high` that lies between two places.
-double overlap(double low, double high, double from, double to) {
-  return std::max(0.0, std::min(high, to) - std::max(low, from));
-}
-
-/// [W] of what nodes take, each for half of the elements beside it, the part that lies between two places.
-double of_nodes_between(const std::vector<double>& arc, const std::vector<double>& by_node, double from, double to) {
-  double power = 0;
-  for (std::size_t node = 0; node < arc.size(); ++node) {
-    const double left = node == 0 ? arc[0] : (arc[node - 1] + arc[node]) / 2;
-    const double right = node + 1 == arc.size() ? arc[node] : (arc[node] + arc[node + 1]) / 2;
-    power += by_node[node] * overlap(left, right, from, to) / (right - left);
-  }
-  return power;
-}
-
 Eigen::VectorXcd velocity_of(const SteadyRun& steady) {
   return std::complex<double>(0, 2 * pi * steady.drive.frequency) * steady.motion;
 }
@@ -87,26 +72,17 @@ Eigen::VectorXcd velocity_of(const SteadyRun& steady) {
 /// [W] the ledger by position: every section point stands for half of its element.
 double lost_between(const BenchSpan& bench, const SteadyRun& steady, double from, double to) {
   const span::SpanAtRest& span = bench.at_rest();
-  const std::vector<double> arc = model::arc_lengths(span.built.model);
+  const span::Piece piece{.from = from, .to = to};
+  const std::vector<double> lengths = span::section_lengths(span, piece);
   double power = 0;
-  for (std::size_t point = 0; point < steady.profile.friction.size(); ++point) {
-    const std::size_t element = point / beam::gauss_points;
-    const double half = (arc[element + 1] - arc[element]) / 2;
-    const double start = arc[element] + half * static_cast<double>(point % beam::gauss_points);
-    power += steady.drive.frequency * (steady.profile.friction[point] + steady.profile.material[point]) *
-             span.system.point_length(point) * overlap(start, start + half, from, to) / half;
+  for (std::size_t point = 0; point < lengths.size(); ++point) {
+    power += steady.drive.frequency * steady.profile.self_damping(point) * lengths[point];
   }
-  return power + of_nodes_between(arc, viscous_by_node(span, velocity_of(steady)), from, to);
+  return power + span::of_nodes(span.built.model, viscous_by_node(span, velocity_of(steady)), piece);
 }
 
 std::vector<LoopPoint> loop_points(const BenchSpan& bench, const SteadyRun& steady) {
-  const model::Model& model = bench.at_rest().built.model;
-  solver::PeriodicState state{.frequency = steady.drive.frequency,
-                              .harmonics = Eigen::MatrixXd(steady.motion.size(), 3)};
-  state.harmonics << Vector::Zero(steady.motion.size()), steady.motion.real(), -steady.motion.imag();
-  const solver::Place middle = {.node = model.nodes.size() / 2};
-  return solver::PeriodicSolver(bench.at_rest().system, bench.at_rest().u, {.drive = middle, .control = middle})
-      .loop_points(state);
+  return solver::loop_points(bench.at_rest().built.model, model::Unknown::y, steady.motion);
 }
 
 /// [m] the largest antinode of the fundamental, a loop and more from the ends where there are three.
@@ -171,9 +147,10 @@ std::optional<IswrReading> read_iswr(const BenchSpan& bench, const SteadyRun& st
       route.nodes, {.tension = bench.at_rest().built.tension, .mass_per_length = mass}, steady.drive.frequency);
   route.ledger = lost_between(bench, steady, from, to) / (to - from);
   const system::System& system = bench.at_rest().system;
-  route.air = of_nodes_between(model::arc_lengths(system.model()),
-                               system.air_on_chain().swing_power_by_node(system.air(), velocity_of(steady)), from, to) /
-              (to - from);
+  route.air =
+      span::of_nodes(system.model(), system.air_on_chain().swing_power_by_node(system.air(), velocity_of(steady)),
+                     {.from = from, .to = to}) /
+      (to - from);
   return route;
 }
 

@@ -114,6 +114,7 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
 Profile CycleObserver::profile(const system::System& system) const {
   const std::size_t points = system.committed_strains().points();
   Profile profile{.position = {},
+                  .length = {},
                   .friction = std::vector<double>(points, 0.0),
                   .material = std::vector<double>(points, 0.0),
                   .curvature_amplitude = std::vector<double>(points, 0.0),
@@ -123,6 +124,7 @@ Profile CycleObserver::profile(const system::System& system) const {
     const std::size_t element = point / beam::gauss_points;
     const double part = beam::gauss_position[point % beam::gauss_points];
     profile.position.push_back(arc[element] + part * (arc[element + 1] - arc[element]));
+    profile.length.push_back(system.point_length(point));
     for (const PointRecord& record : kept_) {
       const double weight = 1 / static_cast<double>(kept_.size());
       profile.friction[point] += weight * record.friction[point];

@@ -62,36 +62,38 @@ double ramp_loss(double x) {
 
 }  // namespace
 
-MaterialBranches material_branches(const conductor::Strand& strand, const std::vector<Metal>& metals,
-                                   double temperature, Wires wires) {
-  MaterialBranches branches;
-  ComponentStiffness loss{};
+MaterialLoss material_loss(const conductor::Strand& strand, const std::vector<Metal>& metals, double temperature,
+                           Wires wires) {
+  MaterialLoss loss;
   for (std::size_t j = 0; j < strand.layers.size(); ++j) {
-    const conductor::SectionConstants c = constants_of(strand.layers[j]);
+    const conductor::Layer& layer = strand.layers[j];
+    const Metal& metal = metals[j];
+    const conductor::SectionConstants c = constants_of(layer);
     const double EI = wires == Wires::sticking ? c.EI_max : c.EI_min;
     const ComponentStiffness stiffness = {c.EA, c.GJ, EI, EI};
-    for (std::size_t k = 0; k < component_count; ++k) loss[k] += metals[j].loss_factor * stiffness[k];
-  }
-  add_constant_loss(loss, branches);
-  MaterialBranches heat;
-  for (std::size_t j = 0; j < strand.layers.size(); ++j) {
-    const Metal& metal = metals[j];
+    for (std::size_t k = 0; k < component_count; ++k) loss.constant[k] += metal.loss_factor * stiffness[k];
     if (metal.thermal_strain == 0) continue;
-    const conductor::Layer& layer = strand.layers[j];
     const double strength =
         layer.young * metal.thermal_strain * metal.thermal_strain * temperature / metal.heat_capacity;
-    add_heat_flow(layer.diameter * layer.diameter / (13.55 * metal.diffusivity), strength * constants_of(layer).EI_min,
-                  heat);
+    add_heat_flow(layer.diameter * layer.diameter / (13.55 * metal.diffusivity), strength * c.EI_min, loss.heat);
   }
-  branches.insert(branches.end(), heat.begin(), heat.end());
-  return branches;
+  return loss;
 }
 
-MaterialBranches material_branches(const ComponentStiffness& stiffness, double loss_factor) {
+MaterialLoss material_loss(const ComponentStiffness& stiffness, double loss_factor) {
+  MaterialLoss loss{.constant = stiffness, .heat = {}};
+  for (double& x : loss.constant) x *= loss_factor;
+  return loss;
+}
+
+double loss_at(const MaterialLoss& loss, Component component, double omega) {
+  return loss.constant[static_cast<std::size_t>(component)] + stiffness_at(loss.heat, component, omega).loss;
+}
+
+MaterialBranches branches_of(const MaterialLoss& loss) {
   MaterialBranches branches;
-  ComponentStiffness loss = stiffness;
-  for (double& x : loss) x *= loss_factor;
-  add_constant_loss(loss, branches);
+  add_constant_loss(loss.constant, branches);
+  branches.insert(branches.end(), loss.heat.begin(), loss.heat.end());
   return branches;
 }
 

@@ -1,5 +1,7 @@
 #include "strandyn/self_damping/fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -70,6 +72,12 @@ std::optional<LevelRow> level_of(const analysis::PowerLaw& law, const std::vecto
   return level;
 }
 
+analysis::RatedConductor rated_conductor(const Scene& scene) {
+  return {.diameter = scene.conductor->strand.outer_diameter(),
+          .mass_per_length = *casefile::mass_per_length(scene),
+          .rated_strength = scene.conductor->strand.rated_strength};
+}
+
 /// The published exponents, how far the fit lies outside of their band, and the levels where a factor is known.
 PublishedRow published(const Scene& scene, const analysis::PowerLawFit& fit,
                        const std::vector<analysis::SelfDampingPoint>& points) {
@@ -88,17 +96,30 @@ PublishedRow published(const Scene& scene, const analysis::PowerLawFit& fit,
     row.m = pair(law.frequency);
     if (law.tension) row.n = pair(*law.tension);
     if (!scene.conductor || scene.conductor->strand.rated_strength <= 0) continue;
-    const auto full = analysis::law_for(law, {.diameter = scene.conductor->strand.outer_diameter(),
-                                              .mass_per_length = *casefile::mass_per_length(scene),
-                                              .rated_strength = scene.conductor->strand.rated_strength});
+    const analysis::RatedConductor rated = rated_conductor(scene);
+    const auto full = analysis::law_for(law, rated);
     if (!full) continue;
     row.k = full->factor;
+    if (law.takes_common_factor) row.k_over_similarity = full->factor / analysis::similarity_factor(rated);
     row.points_over_law = level_of(*full, points);
   }
   return out;
 }
 
 }  // namespace
+
+std::optional<std::string> warning_of_common_factor(const Scene& scene) {
+  if (!scene.conductor || scene.conductor->strand.rated_strength <= 0) return std::nullopt;
+  constexpr double belongs = 3;  // times more or less
+  const analysis::RatedConductor rated = rated_conductor(scene);
+  const double ratio = analysis::common_factor(rated) / analysis::similarity_factor(rated);
+  if (ratio < belongs && ratio > 1 / belongs) return std::nullopt;
+  return fmt::format(
+      "the factor d/sqrt(m RTS) of published laws belongs to conductors of about 30 mm: for this one it is {:.3g} "
+      "times "
+      "that of Noiseux's own similarity; take \"Noiseux, by similarity\" beside it",
+      ratio);
+}
 
 FitRow fit_row(const std::vector<analysis::SelfDampingPoint>& points) {
   return row_of(analysis::fit_power_law(points));
@@ -111,6 +132,7 @@ Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
   const auto free_span = points_to_fit(rows, method, &PointRow::free_span);
   const analysis::PowerLawFit fit = analysis::fit_power_law(whole);
   Fits fits{.fit = row_of(fit), .published = published(scene, fit, whole), .law = fit.law()};
+  fits.warning = warning_of_common_factor(scene);
   if (!free_span.empty()) fits.free_span = row_of(analysis::fit_power_law(free_span));
   for (const auto& [lowest, highest] : keys.bands) {
     const double diameter = scene.conductor->strand.outer_diameter();

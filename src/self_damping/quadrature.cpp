@@ -85,7 +85,6 @@ Quadrature::Quadrature(const Scene& scene)
       numbers_(build::section_numbers(scene)),
       mass_(*casefile::mass_per_length(scene)),
       surroundings_(build::surroundings(scene)),
-      material_(build::material_branches(scene)),
       law_(build::build_law(scene, section::Dimension::planar)) {}
 
 void Quadrature::begin(const std::vector<Point>& all) {
@@ -104,12 +103,18 @@ void Quadrature::begin(const std::vector<Point>& all) {
     losses[i].emplace(*law_, state, range);
   });
   for (std::size_t i = 0; i < tensions.size(); ++i) {
-    tables_.push_back({.tension = tensions[i], .loss = std::move(*losses[i])});
+    tables_.push_back({.tension = tensions[i],
+                       .loss = std::move(*losses[i]),
+                       .material = build::material_loss(scene_, tensions[i])});
   }
 }
 
+const Quadrature::Table& Quadrature::table_of(double tension) const {
+  return *std::ranges::find(tables_, tension, &Table::tension);
+}
+
 const SectionalLoss& Quadrature::at_tension(double tension) const {
-  return std::ranges::find(tables_, tension, &Table::tension)->loss;
+  return table_of(tension).loss;
 }
 
 Loop Quadrature::loop_at(const Point& point) const {
@@ -150,7 +155,7 @@ PointResult Quadrature::at(const Point& point, const Watch&) const {
   const SectionalLoss& loss = at_tension(point.tension);
   const double omega = 2 * std::numbers::pi * point.frequency;
   const double of_metal =
-      section::stiffness_at(material_, section::Component::bending2, omega).loss * std::numbers::pi * point.frequency;
+      section::loss_at(table_of(point.tension).material, section::Component::bending2, omega) * std::numbers::pi * point.frequency;
   const air::AirForce air =
       surroundings_ ? air::force_at(surroundings_->air, surroundings_->diameter, point.frequency) : air::AirForce{};
   if (!goes_over_clamped_modes(scene_)) {

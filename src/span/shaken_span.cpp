@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "strandyn/span/damping.hpp"
+#include "strandyn/span/free_span.hpp"
 
 namespace strandyn::span {
 
@@ -145,36 +146,23 @@ ResonanceAt ShakenSpan::resonance(double antinode_amplitude, const std::function
 std::optional<FreeSpan> ShakenSpan::free_span(const solver::PeriodicSolution& solution,
                                               const StrainRange& strains) const {
   if (mode_number_ < 3) return std::nullopt;
-  const std::vector<double> arc = model::arc_lengths(span_.built.model);
-  const double half_loop = arc.back() / mode_number_ / 2;
-  std::vector<double> nodes;
-  for (const solver::LoopPoint& point : solver_->loop_points(solution.state)) {
-    const bool inner = point.position > half_loop && point.position < arc.back() - half_loop;
-    if (!point.antinode && inner) nodes.push_back(point.position);
-  }
-  if (nodes.size() < 2) return std::nullopt;
-  FreeSpan free{.from = nodes.front(), .to = nodes.back()};
+  const double length_of_span = model::arc_lengths(span_.built.model).back();
+  const double loop_length = length_of_span / mode_number_;
+  const auto piece = between_inner_nodes(solver_->loop_points(solution.state), length_of_span, loop_length);
+  if (!piece) return std::nullopt;
+  FreeSpan free{.from = piece->from, .to = piece->to};
   double squares = 0, length = 0;
-  for (std::size_t p = 0; p < solution.sections.friction.size(); ++p) {
-    // Each section point stands for its part of the element.
-    const std::size_t e = p / beam::gauss_points;
-    const double part = (arc[e + 1] - arc[e]) / beam::gauss_points;
-    const double begin = arc[e] + static_cast<double>(p % beam::gauss_points) * part;
-    const double inside = std::min(begin + part, free.to) - std::max(begin, free.from);
-    if (inside <= 0) continue;
-    const double weight = span_.system.point_length(p) * inside / part;
+  const std::vector<double> weights = section_lengths(span_, *piece);
+  for (std::size_t p = 0; p < weights.size(); ++p) {
+    const double weight = weights[p];
+    if (weight <= 0) continue;
     if (solution.sections.friction[p] > 0) free.friction += weight * solution.sections.loop_work[p];
     free.material += weight * solution.sections.material[p];
     squares += weight * solution.sections.curvature_amplitude[p] * solution.sections.curvature_amplitude[p];
     length += weight;
     free.highest = std::max(free.highest, strains.curvature[p]);
   }
-  for (std::size_t node = 0; node < solution.air_by_node.size(); ++node) {
-    const double left = node == 0 ? arc[0] : (arc[node - 1] + arc[node]) / 2;
-    const double right = node + 1 == arc.size() ? arc[node] : (arc[node] + arc[node + 1]) / 2;
-    const double inside = std::min(right, free.to) - std::max(left, free.from);
-    if (inside > 0) free.air += solution.air_by_node[node] * inside / (right - left);
-  }
+  free.air = of_nodes(span_.built.model, solution.air_by_node, *piece);
   free.curvature = std::sqrt(2 * squares / length);
   return free;
 }

@@ -13,7 +13,7 @@ using results::ColumnReader;
 
 namespace {
 
-constexpr std::size_t kept = 1000;  // at either end
+constexpr std::size_t most_kept = 1000;  // at either end
 
 std::string header() {
   return fmt::format("cycle,{}\n", fmt::join(ColumnReader::of(Cycle{}).names, ","));
@@ -25,7 +25,8 @@ std::string line_of(std::size_t number, const std::vector<double>& values) {
 
 }  // namespace
 
-CycleLog::CycleLog(const std::filesystem::path& folder) {
+CycleLog::CycleLog(const std::filesystem::path& folder, DampingRatio damping_ratio)
+    : damping_ratio_(std::move(damping_ratio)) {
   if (folder.empty()) return;
   path_ = folder / "cycles.csv";
 }
@@ -69,11 +70,11 @@ void CycleLog::add(const Cycle& cycle) {
   }
   if (!path_.empty() && !file_.is_open()) reopen();
   ++count_;
-  if (first_.size() < kept) {
+  if (first_.size() < most_kept) {
     first_.push_back(cycle);
   } else {
     last_.push_back(cycle);
-    if (last_.size() > kept) last_.pop_front();
+    if (last_.size() > most_kept) last_.pop_front();
   }
   if (path_.empty()) return;
   file_ << line_of(count_, values) << std::flush;
@@ -87,9 +88,19 @@ void CycleLog::archive(Archive& a) {
 
 namespace {
 
+struct CycleRow {
+  Cycle cycle;
+  std::optional<double> damping_ratio{};
+};
+template <class V>
+void members(V& v, CycleRow& r) {
+  v.part(r.cycle);
+  v.value("damping_ratio", r.damping_ratio, {.what = "of a decay, by the ledger, of the antinode's velocity"});
+}
+
 /// What the summary has of the cycles.
 struct CyclesOfSummary {
-  std::vector<Cycle> cycles;
+  std::vector<CycleRow> cycles;
   std::size_t count = 0;
 };
 template <class V>
@@ -104,26 +115,37 @@ std::vector<results::MemberNote> CycleLog::notes() {
   return results::ReferenceWriter::of<CyclesOfSummary>();
 }
 
+std::vector<NumberedCycle> CycleLog::rows() const {
+  std::vector<NumberedCycle> rows;
+  for (const Cycle& cycle : first_) rows.push_back({.number = rows.size() + 1, .cycle = cycle});
+  std::size_t number = count_ - last_.size();
+  for (const Cycle& cycle : last_) rows.push_back({.number = ++number, .cycle = cycle});
+  return rows;
+}
+
 void CycleLog::add_to(Outcome& outcome) const {
-  std::vector<Cycle> rows = first_;
-  rows.insert(rows.end(), last_.begin(), last_.end());
-  results::Value list = results::to_value(rows);
+  const std::vector<NumberedCycle> kept = rows();
+  std::vector<CycleRow> entries;
+  for (const NumberedCycle& row : kept) {
+    CycleRow& entry = entries.emplace_back(CycleRow{.cycle = row.cycle});
+    if (damping_ratio_) entry.damping_ratio = damping_ratio_(row.cycle);
+  }
+  results::Value list = results::to_value(entries);
   const std::vector<std::string> names = ColumnReader::of(Cycle{}).names;
   results::Reductions all{.count = count_};
   for (std::size_t i = 0; i < sum_.size(); ++i) {
     all.members[names[i]] = {.least = least_[i], .largest = largest_[i], .sum = sum_[i]};
   }
-  if (count_ > rows.size()) list.say_of_all(std::move(all));
+  if (count_ > kept.size()) list.say_of_all(std::move(all));
   outcome.summary.set("cycles", std::move(list));
   outcome.summary.set("cycle_count", count_);
 
   std::vector<std::string> columns = {"cycle"};
   columns.insert(columns.end(), names.begin(), names.end());
   results::Table table(std::move(columns));
-  const std::size_t left_out = count_ - rows.size();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    std::vector<double> row = {static_cast<double>(i + 1 + (i < first_.size() ? 0 : left_out))};
-    std::ranges::copy(ColumnReader::of(rows[i]).values, std::back_inserter(row));
+  for (const NumberedCycle& entry : kept) {
+    std::vector<double> row = {static_cast<double>(entry.number)};
+    std::ranges::copy(ColumnReader::of(entry.cycle).values, std::back_inserter(row));
     table.append(row);
   }
   outcome.tables.push_back({.file = "cycles.csv", .table = std::move(table)});

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <fstream>
+#include <functional>
 
 #include "strandyn/observe/cycles.hpp"
 #include "strandyn/results/reference.hpp"
@@ -11,10 +12,19 @@
 
 namespace strandyn::study {
 
+/// A cycle and its number, from 1.
+struct NumberedCycle {
+  std::size_t number = 0;
+  observe::Cycle cycle;
+};
+
 class CycleLog final : public observe::Observer {
  public:
+  /// Of a cycle, where the summary is to have it.
+  using DampingRatio = std::function<double(const observe::Cycle&)>;
+
   /// Writes into the folder; an empty one: nowhere.
-  explicit CycleLog(const std::filesystem::path& folder);
+  explicit CycleLog(const std::filesystem::path& folder, DampingRatio damping_ratio = {});
 
   void add(const observe::Cycle& cycle);
 
@@ -24,6 +34,7 @@ class CycleLog final : public observe::Observer {
   void archive(Archive& a) override;
 
   std::size_t count() const { return count_; }
+  std::vector<NumberedCycle> rows() const;  ///< the first and the last thousand
   /// `cycles` and `cycle_count` of the summary, cycles.csv.
   void add_to(Outcome& outcome) const;
   static std::vector<results::MemberNote> notes();
@@ -32,6 +43,7 @@ class CycleLog final : public observe::Observer {
   void reopen();
 
   std::filesystem::path path_;
+  DampingRatio damping_ratio_;
   std::ofstream file_;
   std::size_t count_ = 0;
   std::vector<observe::Cycle> first_;

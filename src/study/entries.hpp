@@ -17,7 +17,7 @@ Prepare prepare_section, prepare_axial_torsion, prepare_static, prepare_modes, p
 using Notes = std::vector<results::MemberNote>();
 
 Notes notes_of_frame, notes_of_section, notes_of_axial_torsion, notes_of_static, notes_of_modes, notes_of_vibration,
-    notes_of_transient, notes_of_sweep, notes_of_self_damping;
+    notes_of_decay_analysis, notes_of_transient, notes_of_sweep, notes_of_self_damping;
 
 struct Entry {
   std::string_view word;
@@ -30,7 +30,7 @@ inline constexpr std::array entries = {
     Entry{casefile::AxialTorsionAnalysis::word, prepare_axial_torsion, notes_of_axial_torsion},
     Entry{casefile::StaticAnalysis::word, prepare_static, notes_of_static},
     Entry{casefile::ModesAnalysis::word, prepare_modes, notes_of_modes},
-    Entry{casefile::DecayAnalysis::word, prepare_decay, notes_of_vibration},
+    Entry{casefile::DecayAnalysis::word, prepare_decay, notes_of_decay_analysis},
     Entry{casefile::ForcedAnalysis::word, prepare_forced, notes_of_vibration},
     Entry{casefile::TransientAnalysis::word, prepare_transient, notes_of_transient},
     Entry{casefile::SweepAnalysis::word, prepare_sweep, notes_of_sweep},

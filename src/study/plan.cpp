@@ -153,7 +153,7 @@ VibrationPlan plan_vibration(const Scene& scene, const build::Integration& integ
   const std::vector<solver::Mode> modes = span::modes_across(span, highest);
   const auto mode = [&](int number) -> const solver::Mode& { return modes[static_cast<std::size_t>(number) - 1]; };
 
-  VibrationPlan plan{.cycles = ask.cycles, .until_steady = ask.until_steady};
+  VibrationPlan plan{.cycles = ask.cycles, .until_steady = ask.until_steady, .decays = ask.mode.has_value()};
   plan.velocity = system::Vector::Zero(span.u.size());
   plan.drives = find_drives(span, modes);
   for (const model::Drive& drive : plan.drives) plan.frequency = std::max(plan.frequency, drive.frequency);

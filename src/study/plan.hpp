@@ -23,6 +23,7 @@ struct VibrationPlan {
   double frequency = 0;  ///< [Hz] that a cycle refers to; 0 where a transient names none
   std::size_t cycles = 0;
   bool until_steady = false;  ///< then `cycles` is the most that will be run
+  bool decays = false;        ///< a mode is let go
   double step = 0;            ///< [s] its bound, where the integrator chooses steps by their error
   system::Vector velocity{};  ///< initial
   std::vector<model::Drive> drives{};

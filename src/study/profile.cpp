@@ -52,9 +52,10 @@ std::optional<Concentration> concentration(std::vector<double> x, std::vector<do
 
 void add_profile(const observe::Profile& profile, Outcome& outcome) {
   constexpr const char* file = "dissipation_profile.csv";
-  results::Table table({"x_m", "friction_J_per_m", "curvature_amplitude_per_m"});
+  results::Table table({"x_m", "friction_J_per_m", "curvature_amplitude_per_m", "length_m", "material_J_per_m"});
   for (std::size_t i = 0; i < profile.position.size(); ++i) {
-    table.append(std::array{profile.position[i], profile.friction[i], profile.curvature_amplitude[i]});
+    table.append(std::array{profile.position[i], profile.friction[i], profile.curvature_amplitude[i], profile.length[i],
+                            profile.material[i]});
   }
   outcome.tables.push_back({.file = file, .table = std::move(table)});
   if (profile.cycles == 0 || profile.position.size() < 2) return;

@@ -312,6 +312,7 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
 void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outcome& outcome) const {
   StudySummary summary{
       .points = rows, .fits = self_damping::fit_points(scene_, rows), .grids = self_damping::fit_grids(scene_, rows)};
+  if (summary.fits.warning) outcome.warnings.push_back(*summary.fits.warning);
   for (std::string& warning : self_damping::warnings_of_points(scene_, rows)) {
     outcome.warnings.push_back(std::move(warning));
   }

@@ -6,6 +6,7 @@
 
 #include "checkpoint.hpp"
 #include "cycle_log.hpp"
+#include "decay.hpp"
 #include "entries.hpp"
 #include "outlook.hpp"
 #include "plan.hpp"
@@ -13,6 +14,8 @@
 #include "share.hpp"
 #include "strandyn/analysis/steady.hpp"
 #include "strandyn/observe/cycles.hpp"
+#include "strandyn/observe/fundamental.hpp"
+#include "strandyn/span/free_span.hpp"
 
 namespace strandyn::study {
 
@@ -23,14 +26,32 @@ namespace {
 
 constexpr std::size_t most_cycles_until_steady = 5000;
 
+/// What a mean of cycles may be called.
+struct MeanNames {
+  const char* self_damping = "self-damping";
+  const char* free_span = "self-damping of the free span";
+  const char* damping_ratio = "damping ratio";
+};
+constexpr MeanNames of_a_steady_state{};
+constexpr MeanNames of_a_decay{.self_damping = "self-damping (late in the decay)",
+                               .free_span = "self-damping of the free span (late in the decay)",
+                               .damping_ratio = "damping ratio (late in the decay)"};
+constexpr MeanNames not_steady{.self_damping = "self-damping (not steady)",
+                               .free_span = "self-damping of the free span (not steady)",
+                               .damping_ratio = "damping ratio (not steady)"};
+
 /// The mean of the last cycles and what it says of the damping.
 struct SteadyRow {
+  MeanNames names = of_a_steady_state;
   std::size_t cycles = 0;
   double frequency = 0;
   std::vector<std::pair<std::string, double>> mean;  ///< of the members of a cycle
   double self_damping = 0, air = 0, loss_factor = 0, damping_ratio = 0;
+  std::optional<double> free_span{};
+  std::optional<span::Piece> between{};  ///< the nodes of the free span
   std::optional<double> numerical_share{};
-  bool is_steady = false;
+  bool is_steady = false, decays = false;
+  analysis::Steadiness steadiness{};
   double steps_per_cycle = 0;
   std::optional<double> predicted{}, measured{}, expected{};
 };
@@ -48,14 +69,28 @@ void members(V& v, SteadyRow& s) {
                                  : nullptr});
   }
   v.value("self_damping_W_per_m", s.self_damping,
-          {.what = "friction, material and viscous damping over the length", .shown = "self-damping"});
+          {.what = "friction, material and viscous damping over the length", .shown = s.names.self_damping});
+  std::optional<double> from, to;
+  if (s.between) from = s.between->from, to = s.between->to;
+  v.value(
+      "self_damping_free_span_W_per_m", s.free_span,
+      {.what = "friction and material damping between the first and the last inner node, over the length between them",
+       .shown = s.names.free_span});
+  v.value("free_span_from_m", from, {.what = "the first inner node", .shown = "free span from"});
+  v.value("free_span_to_m", to, {.what = "the last inner node", .shown = "free span to"});
   v.value("air_W_per_m", s.air, {.what = "still air over the length, not in the self-damping"});
   v.value("loss_factor", s.loss_factor, {.what = "twice the damping ratio"});
-  v.value("damping_ratio", s.damping_ratio, {.what = "of the antinode's velocity", .shown = "damping ratio"});
+  v.value("damping_ratio", s.damping_ratio, {.what = "of the antinode's velocity", .shown = s.names.damping_ratio});
   v.value("numerical_share", s.numerical_share,
           {.what = "|numerical| over all physical losses", .shown = "numerical share"});
   v.value("is_steady", s.is_steady,
-          {.what = "like amplitudes, and what comes in is what is lost, over the last 20 cycles"});
+          {.what = "what comes in is what is lost, and neither amplitude nor loss drifts, over the last 20 cycles"});
+  v.value("work_in_over_lost", s.steadiness.work_in_over_lost,
+          {.what = "what the loads do over all that is lost, numerical part included, in these cycles; 1 where steady",
+           .shown = s.decays ? nullptr : "work in over lost"});
+  v.value("amplitude_drift", s.steadiness.amplitude_drift,
+          {.what = "of a straight line through the antinode amplitudes of these cycles, of their mean"});
+  v.value("loss_drift", s.steadiness.loss_drift, {.what = "the same of what is lost"});
   v.value("steps_per_cycle", s.steps_per_cycle, {.what = "of the integration"});
   v.value("predicted_numerical_damping_ratio", s.predicted, {.what = "by the formula of the integrator"});
   v.value("measured_numerical_damping_ratio", s.measured, {.what = "by the ledger"});
@@ -87,16 +122,25 @@ std::vector<std::pair<std::string, double>> mean_of(const std::vector<Cycle>& cy
   return mean;
 }
 
-/// Twenty cycles of like amplitude, in which what comes in is what is lost.
-bool is_steady(const std::vector<Cycle>& cycles) {
-  constexpr std::size_t watched = analysis::cycles_that_show_steadiness;
-  if (cycles.size() < watched) return false;
+/// Of the last cycles, as many as show whether a vibration is steady.
+std::vector<analysis::CycleFlow> last_flows(const std::vector<Cycle>& cycles) {
+  const std::size_t watched = std::min(cycles.size(), analysis::cycles_that_show_steadiness);
   std::vector<analysis::CycleFlow> flows;
   for (std::size_t i = cycles.size() - watched; i < cycles.size(); ++i) {
     const Cycle& c = cycles[i];
     flows.push_back({.amplitude = c.antinode_amplitude, .in = c.external_work, .lost = c.dissipated() + c.numerical});
   }
-  return analysis::is_steady(flows);
+  return flows;
+}
+
+bool is_steady(const std::vector<Cycle>& cycles) {
+  return analysis::is_steady(analysis::steadiness(last_flows(cycles)));
+}
+
+analysis::SpanNumbers numbers_of(const VibrationPlan& plan, const Scene& scene) {
+  return {.frequency = plan.frequency,
+          .length = scene.span->total_length(),
+          .mass_per_length = *casefile::mass_per_length(scene)};
 }
 
 SteadyRow steady_row(const VibrationPlan& plan, const Scene& scene, const std::vector<Cycle>& cycles) {
@@ -109,10 +153,7 @@ SteadyRow steady_row(const VibrationPlan& plan, const Scene& scene, const std::v
                       .air = c.air,
                       .numerical = c.numerical});
   }
-  const analysis::SteadyState s =
-      analysis::steady_state(losses, {.frequency = plan.frequency,
-                                      .length = scene.span->total_length(),
-                                      .mass_per_length = *casefile::mass_per_length(scene)});
+  const analysis::SteadyState s = analysis::steady_state(losses, numbers_of(plan, scene));
   SteadyRow row{.cycles = s.cycles,
                 .frequency = plan.frequency,
                 .mean = mean_of(cycles, s.cycles),
@@ -122,6 +163,8 @@ SteadyRow steady_row(const VibrationPlan& plan, const Scene& scene, const std::v
                 .damping_ratio = s.damping_ratio,
                 .numerical_share = s.numerical_share,
                 .is_steady = is_steady(cycles),
+                .decays = plan.decays,
+                .steadiness = analysis::steadiness(last_flows(cycles)),
                 .steps_per_cycle = plan.steps_per_cycle(),
                 .predicted = plan.numerical_damping_ratio,
                 .expected = plan.expected_damping_ratio};
@@ -131,7 +174,33 @@ SteadyRow steady_row(const VibrationPlan& plan, const Scene& scene, const std::v
     numerical += cycles[i].numerical;
   }
   if (energy > 0) row.measured = numerical / (4 * std::numbers::pi * energy);
+  if (!row.is_steady) row.names = row.decays ? of_a_decay : not_steady;
   return row;
+}
+
+/// The loss of the free span, where the vibration has one.
+void add_free_span(const span::SpanAtRest& span, const observe::Profile& profile, const Eigen::VectorXcd& motion,
+                   double loop_length, SteadyRow& row) {
+  row.between = span::free_span_of(span, motion, loop_length);
+  if (!row.between) return;
+  const std::vector<double> lengths = span::section_lengths(span, *row.between);
+  double lost = 0;
+  for (std::size_t point = 0; point < lengths.size(); ++point) lost += lengths[point] * profile.self_damping(point);
+  row.free_span = lost * row.frequency / row.between->length();
+}
+
+/// A mean over cycles that are on their way is no steady state.
+void warn_where_not_steady(const SteadyRow& row, Outcome& outcome) {
+  if (row.is_steady || row.decays) return;
+  std::string why = "nothing is lost";
+  if (row.steadiness.work_in_over_lost) {
+    why = fmt::format("the loads do {:.4g} times the work that is lost, the loss drifts by {:.2g} %",
+                      *row.steadiness.work_in_over_lost, 100 * row.steadiness.loss_drift);
+  }
+  outcome.warnings.push_back(fmt::format(
+      "not steady: over the last {} cycles {}, and the antinode amplitude drifts by {:.2g} %; their means are no "
+      "steady state: give more [analysis] cycles, or until = \"steady\"",
+      row.cycles, why, 100 * row.steadiness.amplitude_drift));
 }
 
 /// Tells how far the run is.
@@ -165,15 +234,23 @@ void warn_of_coarse_mesh(const span::SpanAtRest& span, double loop_length, Outco
       longest, loop_length));
 }
 
-void add_figures(Outcome& outcome) {
-  outcome.figures.push_back(
-      {.name = "energy_per_cycle",
-       .title = "Energy per cycle",
-       .table = "cycles.csv",
-       .x = "cycle",
-       .y = {"external_work_J", "friction_dissipation_J", "viscous_dissipation_J", "numerical_dissipation_J"},
-       .caption = "Where the work of a cycle goes. The numerical part is what the ledger leaves "
-                  "over: the error of the time integration, and no physics."});
+void add_figures(const Scene& scene, Outcome& outcome) {
+  std::vector<std::string> lost = {"viscous_dissipation_J", "friction_dissipation_J"};
+  if (scene.material) lost.emplace_back("material_dissipation_J");
+  if (scene.air) lost.emplace_back("air_dissipation_J");
+  std::vector<std::string> drawn = {"external_work_J"},
+                           columns = {"cycle", "t_s", "antinode_amplitude_m", "external_work_J"};
+  drawn.insert(drawn.end(), lost.begin(), lost.end());
+  drawn.emplace_back("numerical_dissipation_J");
+  columns.insert(columns.end(), lost.begin(), lost.end());
+  columns.insert(columns.end(), {"numerical_dissipation_J", "elements_slipping"});
+  outcome.figures.push_back({.name = "energy_per_cycle",
+                             .title = "Energy per cycle",
+                             .table = "cycles.csv",
+                             .x = "cycle",
+                             .y = drawn,
+                             .caption = "Where the work of a cycle goes. The numerical part is what the ledger leaves "
+                                        "over: the error of the time integration, and no physics."});
   outcome.figures.push_back(
       {.name = "amplitude",
        .title = "Antinode amplitude",
@@ -181,11 +258,7 @@ void add_figures(Outcome& outcome) {
        .x = "cycle",
        .y = {"antinode_amplitude_m"},
        .caption = "Half of peak to peak over a cycle, at the largest antinode away from the ends."});
-  outcome.shown.push_back(
-      {.title = "Energy of each cycle",
-       .table = "cycles.csv",
-       .columns = {"cycle", "t_s", "antinode_amplitude_m", "external_work_J", "viscous_dissipation_J",
-                   "friction_dissipation_J", "numerical_dissipation_J", "elements_slipping"}});
+  outcome.shown.push_back({.title = "Energy of each cycle", .table = "cycles.csv", .columns = columns});
 }
 
 /// A decay, or a forced vibration until a number of cycles or a steady state.
@@ -226,13 +299,17 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
 
   const double loop_length = span.built.loop_length(plan.frequency);
   warn_of_coarse_mesh(span, loop_length, outcome);
-  CycleLog log(hooks.folder);
+  const analysis::SpanNumbers numbers = numbers_of(plan, scene_);
+  CycleLog::DampingRatio of_decay;
+  if (plan.decays) of_decay = [&](const Cycle& cycle) { return damping_ratio_of(cycle, numbers); };
+  CycleLog log(hooks.folder, of_decay);
   observe::CycleObserver cycles({.period = 1 / plan.frequency,
                                  .loop_length = loop_length,
                                  .most = 2 * analysis::cycles_that_show_steadiness,
                                  .each = [&](const Cycle& cycle) { log.add(cycle); }});
+  observe::Fundamental fundamental({.period = 1 / plan.frequency});
   ProgressReport progress(plan, hooks, cycles);
-  observe::Observer* const observers[] = {&cycles, &log, &progress};
+  observe::Observer* const observers[] = {&cycles, &log, &fundamental, &progress};
   bool interrupted = false;
   bool steady = false;
   std::size_t judged = 0;
@@ -252,11 +329,17 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
       solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, integration_.method(), observers);
 
   add_integration(run, span.system, outcome);
-  if (cycles.count() > 0) summary.steady = steady_row(plan, scene_, cycles.cycles());
+  const observe::Profile profile = cycles.profile(span.system);
+  if (cycles.count() > 0) {
+    summary.steady = steady_row(plan, scene_, cycles.cycles());
+    add_free_span(span, profile, fundamental.motion(), loop_length, *summary.steady);
+    warn_where_not_steady(*summary.steady, outcome);
+  }
   outcome.tell(summary);
   log.add_to(outcome);
-  add_figures(outcome);
-  add_profile(cycles.profile(span.system), outcome);
+  add_figures(scene_, outcome);
+  if (plan.decays) add_decay(log.rows(), numbers, outcome);
+  add_profile(profile, outcome);
   outcome.ended_early = interrupted || run.ending == solver::Ending::failed;
   if (run.ending == solver::Ending::failed) {
     outcome.exit_code = ExitCode::not_converged;
@@ -284,6 +367,12 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
 std::vector<results::MemberNote> notes_of_vibration() {
   std::vector<results::MemberNote> notes = results::ReferenceWriter::of<VibrationSummary>();
   std::ranges::move(CycleLog::notes(), std::back_inserter(notes));
+  return notes;
+}
+
+std::vector<results::MemberNote> notes_of_decay_analysis() {
+  std::vector<results::MemberNote> notes = notes_of_vibration();
+  std::ranges::move(notes_of_decay(), std::back_inserter(notes));
   return notes;
 }
 

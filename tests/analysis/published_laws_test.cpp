@@ -40,8 +40,21 @@ TEST_CASE("published laws: only the exponents of Noiseux take the common factor"
   check_close(power(law, at), expected, {.relative = 1e-12});
 }
 
+TEST_CASE(
+    "published laws: by similarity the factor goes with d^4 m^2.76, and the common one is 42 times that for Hawk") {
+  constexpr RatedConductor curlew{.diameter = 31.68e-3, .mass_per_length = 1.981, .rated_strength = 162.8e3};
+  constexpr RatedConductor hawk{.diameter = 21.781e-3, .mass_per_length = 0.976, .rated_strength = 86.7e3};
+  check_close(similarity_factor(curlew), common_factor(curlew), {.relative = 1e-14});
+  check_close(common_factor(hawk) / similarity_factor(hawk), 42, {.relative = 0.02});
+  RatedConductor twice = curlew;
+  twice.diameter *= 2;
+  twice.mass_per_length *= 4;
+  check_close(std::log2(similarity_factor(twice) / similarity_factor(curlew)), 4 + 2 * 2.76, {.relative = 1e-12});
+  CHECK(law_for(named("Noiseux, by similarity"), hawk)->factor == similarity_factor(hawk));
+}
+
 TEST_CASE("published laws: the band of an exponent runs from the smallest to the largest published") {
-  CHECK(published_laws().size() == 8);
+  CHECK(published_laws().size() == 9);
   const ExponentBands bands = published_bands();
   CHECK(bands.amplitude.low == 2.0);   // Claren and Diana
   CHECK(bands.amplitude.high == 2.6);  // Tompkins

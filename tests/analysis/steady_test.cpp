@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "support/check_close.hpp"
@@ -91,4 +92,34 @@ TEST_CASE("steady state: a span at rest and a run without cycles give no ratio o
   CHECK(none.cycles == 0);
   CHECK(none.self_damping == 0.0);
   CHECK_FALSE(none.numerical_share.has_value());
+}
+
+TEST_CASE("steadiness: modes that beat do not make a vibration unsteady, growth and decay do") {
+  const auto flows = [](double growth, double beat, double in_over_lost) {
+    std::vector<CycleFlow> cycles;
+    for (int i = 0; i < 20; ++i) {
+      const double amplitude = std::exp(growth * i) * (1 + beat * std::cos(2 * pi * 0.3 * i));
+      const double lost = 0.1 * std::pow(std::exp(growth * i), 3);
+      cycles.push_back({.amplitude = amplitude, .in = in_over_lost * lost, .lost = lost});
+    }
+    return cycles;
+  };
+  CHECK(is_steady(steadiness(flows(0, 0, 1))));
+  CHECK(is_steady(steadiness(flows(0, 0.005, 1))));
+  CHECK_FALSE(is_steady(steadiness(flows(0, 0, 1.006))));  // more comes in than is lost
+  CHECK_FALSE(is_steady(steadiness(flows(0, 0, 0.994))));
+  CHECK_FALSE(is_steady(steadiness(flows(1e-4, 0, 1))));  // 0.2 % of the amplitude, 0.6 % of the loss
+  CHECK_FALSE(is_steady(steadiness(flows(-1e-4, 0, 1))));
+  CHECK(is_steady(steadiness(flows(5e-5, 0, 1))));
+  check_close(steadiness(flows(1e-4, 0, 1)).amplitude_drift, 19e-4, {.relative = 1e-3});
+  check_close(steadiness(flows(1e-4, 0, 1)).loss_drift, 57e-4, {.relative = 1e-3});
+  check_close(steadiness(flows(0, 0.005, 1.3)).work_in_over_lost.value(), 1.3, {.relative = 1e-12});
+}
+
+TEST_CASE("steadiness: fewer than twenty cycles show nothing, nor does a span that loses nothing") {
+  const std::vector<CycleFlow> cycles(19, {.amplitude = 1, .in = 0.1, .lost = 0.1});
+  CHECK_FALSE(is_steady(steadiness(cycles)));
+  const std::vector<CycleFlow> still(20, CycleFlow{.amplitude = 1});
+  CHECK_FALSE(is_steady(steadiness(still)));
+  CHECK_FALSE(steadiness(still).work_in_over_lost.has_value());
 }

@@ -90,7 +90,7 @@ struct Outcome {
 Outcome run(const Integrator& integrator, const Scene& scene, const std::set<std::size_t>& keep_at,
             const std::string& resume = "") {
   test::SpanOptions span{.length = 10, .elements = scene.elements, .drag = 0.5, .freedom = scene.freedom};
-  if (scene.losses) span.material = section::material_branches({1e7, 300, 2400, 2400}, 1e-3);
+  if (scene.losses) span.material = section::branches_of(section::material_loss({1e7, 300, 2400, 2400}, 1e-3));
   Vibration vibration(test::return_map(scene.freedom), span, 4);
   if (scene.losses) {
     vibration.model.surroundings = {.air = {.drag_coefficient = 1, .drag_per_K = 0.2}, .diameter = 0.0317};

@@ -212,7 +212,7 @@ TEST_CASE("decay: still air takes the energy of a linear mode by zeta = c/(2 m o
 }
 
 TEST_CASE("decay: the metal takes eta of the bending energy, friction and air beside it") {
-  const auto branches = section::material_branches({0, 0, 2400, 2400}, 2e-3);
+  const auto branches = section::branches_of(section::material_loss({0, 0, 2400, 2400}, 2e-3));
   Vibration vibration(test::return_map(), {.length = 10, .elements = 30, .material = branches}, 4);
   vibration.model.surroundings = {.air = {}, .diameter = 0.0317};
   vibration.system.set_swing(vibration.mode.frequency);

@@ -63,13 +63,13 @@ MaterialBranches curlew_branches() {
   std::vector<Metal> metals(strand.layers.size(), {.loss_factor = 3e-4});
   metals.front().loss_factor = 1e-4;
   metals.back() = {.loss_factor = 3e-4, .thermal_strain = 23e-6, .heat_capacity = 2.43e6, .diffusivity = 9.6e-5};
-  return material_branches(strand, metals, 293, Wires::sticking);
+  return branches_of(material_loss(strand, metals, 293, Wires::sticking));
 }
 
 }  // namespace
 
 TEST_CASE("material: the loss factor is flat within one per cent from 1 to 200 Hz, and small beyond") {
-  const MaterialBranches branches = material_branches({1, 1, 2400, 2400}, 2e-4);
+  const MaterialBranches branches = branches_of(material_loss({1, 1, 2400, 2400}, 2e-4));
   CHECK(branches.size() == 6);
   for (int i = 0; i <= 400; ++i) {
     check_close(loss_factor(branches, 2400, std::pow(200.0, i / 400.0)), 2e-4, {.relative = 1e-2});
@@ -89,9 +89,9 @@ TEST_CASE("material: layers lose by their own loss factors, over all of their st
   }
   const double omega = 2 * pi * 14;
   const auto loss = [&](Wires wires) {
-    return stiffness_at(material_branches(strand, metals, 293, wires), Component::bending2, omega).loss;
+    return stiffness_at(branches_of(material_loss(strand, metals, 293, wires)), Component::bending2, omega).loss;
   };
-  const double flat = loss_factor(material_branches({0, 0, 1, 1}, 1), 1, 14);
+  const double flat = loss_factor(branches_of(material_loss({0, 0, 1, 1}, 1)), 1, 14);
   check_close(loss(Wires::sticking), flat * sticking, {.relative = 1e-12});
   check_close(loss(Wires::slipping), flat * slipping, {.relative = 1e-12});
 }
@@ -101,7 +101,7 @@ TEST_CASE("material: heat flow across a wire peaks at its relaxation time with h
   wire.layers.resize(1);
   const conductor::Layer& w = wire.layers.front();
   const Metal metal{.thermal_strain = 23e-6, .heat_capacity = 2.43e6, .diffusivity = 9.6e-5};
-  const MaterialBranches branches = material_branches(wire, {metal}, 293, Wires::sticking);
+  const MaterialBranches branches = branches_of(material_loss(wire, {metal}, 293, Wires::sticking));
   REQUIRE(branches.size() == 1);
   const double tau = w.diameter * w.diameter / (13.55 * 9.6e-5);
   const double strength = w.young * 23e-6 * 23e-6 * 293 / 2.43e6;

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -63,6 +64,97 @@ TEST_CASE("a decay starts at the amplitude that was asked for") {
   // It is set by a velocity; the stretch of the span takes some of it, with the square of the amplitude (2.6 % at 5
   // mm).
   check_close(s["cycles"][0]["antinode_amplitude_m"], 5e-4, {.relative = 2e-3});
+}
+
+TEST_CASE("a decay starts at that amplitude of the antinodes away from the ends, where an end loop swings wider") {
+  const auto scene = span_scene(decay, {"section.law=stick", "analysis.antinode_amplitude_mm=0.1"});
+  const auto s = test::run(scene).summary;
+  // The stretch goes with the square of the amplitude: 1e-5 here.
+  check_close(s["cycles"][0]["antinode_amplitude_m"], 1e-4, {.relative = 3e-5});
+  // The shape of the mode, of the same span: next to a clamp its crest is a little higher.
+  const auto modes = test::run(span_scene("[analysis]\ntype = \"modes\"\ncount = 4\n", {"section.law=stick"}));
+  const auto& shape = modes.tables.front().table;
+  const auto& place = shape.column("arc_m");
+  const auto& swing = shape.column("mode_4_y");
+  double at_the_end = 0, within = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    double& crest = place[i] < 2.5 || place[i] > 7.5 ? at_the_end : within;
+    crest = std::max(crest, std::abs(swing[i]));
+  }
+  CHECK(at_the_end > 1.001 * within);
+  CHECK(at_the_end < 1.02 * within);
+}
+
+namespace {
+
+/// [W/m] the rows of dissipation_profile.csv summed between two places. Two rows an element, at its Gauss points; each
+/// stands for half of the element, on its side of the middle.
+double summed_profile(const study::CaseResult& result, double from, double to, double frequency) {
+  const auto named = std::ranges::find(result.tables, "dissipation_profile.csv", &results::NamedTable::file);
+  REQUIRE(named != result.tables.end());
+  const auto& x = named->table.column("x_m");
+  const auto& friction = named->table.column("friction_J_per_m");
+  const auto& length = named->table.column("length_m");
+  double lost = 0;
+  for (std::size_t i = 0; i < x.size(); i += 2) {
+    const double element = (x[i + 1] - x[i]) * std::sqrt(3.0);
+    const double middle = (x[i] + x[i + 1]) / 2;
+    for (const std::size_t row : {i, i + 1}) {
+      const double low = row == i ? middle - element / 2 : middle;
+      const double inside = std::max(0.0, std::min(low + element / 2, to) - std::max(low, from));
+      lost += friction[row] * length[row] * inside / (element / 2);
+    }
+  }
+  return lost * frequency / (to - from);
+}
+
+void check_free_span(const casefile::Scene& scene) {
+  const auto result = test::run(scene);
+  const auto& s = result.summary["steady"];
+  const double from = s["free_span_from_m"], to = s["free_span_to_m"], free = s["self_damping_free_span_W_per_m"];
+  CHECK(free > 0);
+  check_close(free, summed_profile(result, from, to, s["frequency_Hz"]), {.relative = 1e-9});
+  // The whole of the profile is the friction of the ledger.
+  check_close(summed_profile(result, 0, 10, s["frequency_Hz"]) * 10,
+              s["friction_dissipation_J"].get<double>() * s["frequency_Hz"].get<double>(), {.relative = 1e-9});
+  // A loop at a clamp is longer than one in the span, which is a quarter and less of the four loops.
+  CHECK(from > 2.5);
+  CHECK(from < 3);
+  CHECK(to > 7);
+  CHECK(to < 7.5);
+}
+
+}  // namespace
+
+TEST_CASE("the free span's self-damping is the profile of the losses summed between the inner nodes") {
+  check_free_span(span_scene(decay, {"analysis.antinode_amplitude_mm=12"}));
+  check_free_span(span_scene(shaker, {"load[0].amplitude_N=400"}));
+}
+
+TEST_CASE("a span of two loops has no free span") {
+  const auto s = test::run(span_scene(decay, {"analysis.mode=2", "analysis.cycles=3"})).summary["steady"];
+  CHECK_FALSE(s.contains("self_damping_free_span_W_per_m"));
+}
+
+TEST_CASE("a decay tells damping against amplitude by its ledger and by its amplitudes") {
+  const auto result = test::run(span_scene(decay, {"section.law=stick", "damping.drag_N_s_per_m2=2",
+                                                   "analysis.cycles=40", "analysis.antinode_amplitude_mm=1"}));
+  const auto& s = result.summary;
+  const double zeta = 2 / (2 * 1.981 * 2 * std::numbers::pi * s["steady"]["frequency_Hz"].get<double>());
+  REQUIRE(s["decay"]["at"].size() == 5);
+  for (const auto& at : s["decay"]["at"]) {
+    // A uniform drag: delta = 2 pi zeta at every amplitude. 200 steps a cycle miss a peak by (pi/200)^2/2 at most, 0.6
+    // % of the decrement of one cycle.
+    check_close(at["log_decrement"], 2 * std::numbers::pi * zeta, {.relative = 6.3e-3});
+    check_close(at["loss_factor_by_decrement"], 2 * zeta, {.relative = 6.3e-3});
+    check_close(at["loss_factor"], 2 * zeta, {.relative = 0.05});  // energy of a sine; a clamped span has 4 % less
+    check_close(at["loss_factor"], 2 * at["damping_ratio"].get<double>(), {.relative = 1e-14});
+  }
+  check_close(s["decay"]["amplitude_exponent"], 2, {.relative = 1e-3});
+  CHECK(s["cycles"][7]["damping_ratio"].get<double>() > 0);
+  CHECK(std::ranges::count(result.tables, "decay.csv", &results::NamedTable::file) == 1);
+  CHECK_FALSE(s["steady"]["is_steady"].get<bool>());
+  CHECK(s["warnings"].empty());  // nobody takes a decay for steady
 }
 
 TEST_CASE("an interrupted run keeps its whole cycles") {

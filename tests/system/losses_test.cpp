@@ -99,7 +99,7 @@ TEST_CASE("air on a chain: the matrix is the derivative of the force") {
 
 TEST_CASE("material on a chain: without a clock it is relaxed, with one it answers the time since the last commit") {
   test::SpanOptions options = short_span;
-  options.material = section::material_branches({1e7, 300, 2400, 2400}, 1e-2);
+  options.material = section::branches_of(section::material_loss({1e7, 300, 2400, 2400}, 1e-2));
   const model::Model model = curlew_span(test::stick_law(), options);
   const model::Model bare = curlew_span(test::stick_law(), short_span);
   System system(model), without(bare);

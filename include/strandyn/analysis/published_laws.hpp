@@ -19,6 +19,7 @@ struct PublishedLaw {
   Interval frequency;                 ///< m
   std::optional<Interval> tension{};  ///< n; nothing where tension was not varied
   bool takes_common_factor = false;   ///< the factor below was meant for these exponents
+  bool takes_similarity = false;      ///< its factor is the one by similarity
 };
 std::span<const PublishedLaw> published_laws();
 inline constexpr std::string_view published_laws_source = "EPRI 2009";
@@ -29,8 +30,13 @@ struct RatedConductor {
   double mass_per_length = 0;  ///< [kg/m]
   double rated_strength = 0;   ///< [N]
 };
-/// k = d/sqrt(m RTS), d in mm, m in kg/m, RTS in kN.
+/// k = d/sqrt(m RTS), d in mm, m in kg/m, RTS in kN. It was meant for conductors of about 30 mm.
 double common_factor(const RatedConductor& conductor);
+/// k of Noiseux's exponents by his similarity: what is lost goes with d^4/lambda^5.52, lambda = sqrt(T/m)/f, so with
+/// d^4 m^2.76 at a given f and T. The law gives no level of its own: it is that of the common factor for the conductor
+/// of 31.68 mm, 1.981 kg/m and 162.8 kN (Curlew). D. U. Noiseux, "Similarity laws of the internal damping of stranded
+/// cables in transverse vibrations", IEEE Transactions on Power Delivery 7 (1992).
+double similarity_factor(const RatedConductor& conductor);
 /// Exponents and factor; nothing for a law that has no factor.
 std::optional<PowerLaw> law_for(const PublishedLaw& published, const RatedConductor& conductor);
 

@@ -52,4 +52,18 @@ inline constexpr std::size_t cycles_that_show_steadiness = 20;
 /// Like amplitudes (within 0.2 %), and what comes in is what is lost (within 0.5 %); `nothing` [J] a cycle is nothing.
 bool is_steady(std::span<const CycleFlow> cycles, double nothing = 0);
 
+/// How far cycles are from being steady in their mean. Other modes beat with the one that is shaken and die out slowly:
+/// they swing single cycles to and fro, and leave a trend as it is. A drift is what the straight line through all
+/// cycles moves from the first to the last, of their mean.
+struct Steadiness {
+  std::size_t cycles = 0;
+  double amplitude_drift = 0;                 ///< [-]
+  double loss_drift = 0;                      ///< [-]
+  std::optional<double> work_in_over_lost{};  ///< [-] nothing where nothing is lost
+};
+Steadiness steadiness(std::span<const CycleFlow> cycles);
+/// 20 cycles and more; what comes in is what is lost (within 0.5 %), and neither the loss (0.5 %) nor the amplitude
+/// (0.3 %) goes up or down.
+bool is_steady(const Steadiness& steadiness);
+
 }  // namespace strandyn::analysis

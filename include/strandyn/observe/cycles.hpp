@@ -69,10 +69,14 @@ struct CycleOptions {
 /// Along the span, one entry per section point, mean of the last cycles.
 struct Profile {
   std::vector<double> position;             ///< [m] along the reference configuration
+  std::vector<double> length;               ///< [m] without tension, for which the point stands
   std::vector<double> friction;             ///< [J/m] per cycle
   std::vector<double> material;             ///< [J/m] per cycle, of the metal
   std::vector<double> curvature_amplitude;  ///< [1/m] half of peak to peak, about the axis where it is larger
   std::size_t cycles = 0;                   ///< over how many
+
+  /// [J/m] per cycle that count as self-damping.
+  double self_damping(std::size_t point) const { return friction[point] + material[point]; }
 };
 
 /// Cuts a run into cycles. An end that falls inside a step is found by linear interpolation of the ledger.

@@ -69,6 +69,7 @@ struct LawRow {
   Pair l{}, m{};
   std::optional<Pair> n{};
   std::optional<double> k{};
+  std::optional<double> k_over_similarity{};
   std::optional<LevelRow> points_over_law{};
 };
 template <class V>
@@ -78,6 +79,8 @@ void members(V& v, LawRow& r) {
   v.value("m", r.m, {.what = "exponent of the frequency"});
   v.value("n", r.n, {.what = "exponent of the tension"});
   v.value("k", r.k, {.what = "its factor for this conductor"});
+  v.value("k_over_similarity", r.k_over_similarity,
+          {.what = "the common factor over that of Noiseux's similarity: far from 1 it belongs to another conductor"});
   v.record("points_over_law", r.points_over_law, {.what = "the points of the study over it"});
 }
 struct OutsideRow {
@@ -112,6 +115,7 @@ struct Fits {
   std::optional<std::vector<BandRow>> bands{};
   PublishedRow published;
   std::optional<analysis::PowerLaw> law{};  ///< of `fit`
+  std::optional<std::string> warning{};     ///< of a common factor that belongs to other conductors
 };
 template <class V>
 void members(V& v, Fits& f) {
@@ -121,6 +125,8 @@ void members(V& v, Fits& f) {
   v.record("published", f.published, {.what = "the published laws beside it"});
 }
 Fits fit_points(const casefile::Scene& scene, const std::vector<PointRow>& rows);
+/// Where d/sqrt(m RTS) is more than three times off Noiseux's similarity for this conductor.
+std::optional<std::string> warning_of_common_factor(const casefile::Scene& scene);
 
 /// Nothing slips below this antinode amplitude.
 struct OnsetRow {

@@ -24,6 +24,7 @@ class Quadrature final : public Method {
   struct Table {
     double tension = 0;  ///< [N]
     SectionalLoss loss;
+    section::MaterialLoss material;
   };
   const std::vector<Table>& tables() const { return tables_; }
   const SectionalLoss& at_tension(double tension) const;
@@ -38,11 +39,12 @@ class Quadrature final : public Method {
   double loss_at(double tension, double curvature) const;
 
  private:
+  const Table& table_of(double tension) const;
+
   const casefile::Scene& scene_;
   build::SectionNumbers numbers_;
   double mass_ = 0;  ///< [kg/m]
   std::optional<model::Surroundings> surroundings_;
-  section::MaterialBranches material_;
   std::shared_ptr<const section::Law> law_;
   std::vector<Table> tables_;
 };

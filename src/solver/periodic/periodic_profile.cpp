@@ -32,23 +32,24 @@ LoopPoint vertex(const EnvelopePoint& a, const EnvelopePoint& b, const EnvelopeP
 
 }  // namespace
 
-std::vector<LoopPoint> PeriodicSolver::loop_points(const PeriodicState& state) const {
-  const model::Model& model = system_.model();
-  const Unknown across = setup_.control.unknown;
+std::vector<LoopPoint> loop_points(const model::Model& model, Unknown across, const Eigen::VectorXcd& motion) {
   if (across != Unknown::y && across != Unknown::z) {
-    throw std::invalid_argument("periodic response: nodes and antinodes need a control across the chain, y or z");
+    throw std::invalid_argument("nodes and antinodes need a motion across the chain, y or z");
   }
   // About y a positive rotation is a falling slope.
   const Unknown rotation = across == Unknown::y ? Unknown::rotation_z : Unknown::rotation_y;
   const double hand = across == Unknown::y ? 1 : -1;
+  const auto at = [&](std::size_t node, Unknown unknown) {
+    return motion(static_cast<Eigen::Index>(*model.index(node, unknown)));
+  };
   const std::vector<double> position = model::arc_lengths(model);
   std::vector<EnvelopePoint> envelope;
   for (std::size_t e = 0; e < model.elements.size(); ++e) {
     const double l = position[e + 1] - position[e];
-    const auto y1 = state.phasor(*model.index(e, across));
-    const auto y2 = state.phasor(*model.index(e + 1, across));
-    const auto t1 = hand * l * state.phasor(*model.index(e, rotation));
-    const auto t2 = hand * l * state.phasor(*model.index(e + 1, rotation));
+    const auto y1 = at(e, across);
+    const auto y2 = at(e + 1, across);
+    const auto t1 = hand * l * at(e, rotation);
+    const auto t2 = hand * l * at(e + 1, rotation);
     for (int i = e == 0 ? 0 : 1; i <= parts; ++i) {
       const double s = static_cast<double>(i) / parts;
       const auto y = (1 - s) * (1 - s) * (1 + 2 * s) * y1 + s * (1 - s) * (1 - s) * t1 + s * s * (3 - 2 * s) * y2 -
@@ -65,6 +66,14 @@ std::vector<LoopPoint> PeriodicSolver::loop_points(const PeriodicState& state) c
     }
   }
   return points;
+}
+
+std::vector<LoopPoint> PeriodicSolver::loop_points(const PeriodicState& state) const {
+  const Eigen::MatrixXd& x = state.harmonics;
+  Eigen::VectorXcd motion(x.rows());
+  motion.real() = x.col(1);
+  motion.imag() = -x.col(2);
+  return solver::loop_points(system_.model(), setup_.control.unknown, motion);
 }
 
 }  // namespace strandyn::solver

@@ -68,7 +68,8 @@ TEST_CASE("periodic: what is not linear in the air's force is balanced as well")
 
 TEST_CASE("periodic: the metal loses what its branches' own sum says") {
   const auto c = conductor::section_constants(test::curlew());
-  const section::MaterialBranches branches = section::material_branches({c.EA, c.GJ, c.EI_max, c.EI_max}, 3e-4);
+  const section::MaterialBranches branches =
+      section::branches_of(section::material_loss({c.EA, c.GJ, c.EI_max, c.EI_max}, 3e-4));
   const Vibration v(test::stick_law(), uniform_span(branches), 1);
   const double amplitude = 1e-3;
   const PeriodicSolution s = resonance(v, amplitude);
@@ -110,7 +111,7 @@ TEST_CASE("periodic: the metal loses what its branches' own sum says") {
 TEST_CASE("periodic: no air and no loss factor is to the bit as if nobody had asked") {
   const Vibration bare(test::return_map(), {.length = 3, .elements = 16}, 1);
   SpanOptions options{.length = 3, .elements = 16};
-  options.material = section::material_branches({1, 1, 1, 1}, 0);
+  options.material = section::branches_of(section::material_loss({1, 1, 1, 1}, 0));
   CHECK(options.material.empty());
   const Vibration asked(test::return_map(), options, 1);
   const PeriodicSolution a = resonance(bare, 5e-3), b = resonance(asked, 5e-3);

@@ -25,8 +25,13 @@ struct DecayAnalysis {
 template <class V>
 void keys(V& v, DecayAnalysis& a) {
   v.number("mode", a.mode, {.help = "the mode that decays", .at_least = 1, .required = true});
-  v.number("antinode_amplitude_mm", a.antinode_amplitude,
-           {.help = "the amplitude of its antinode at the start", .unit = units::mm, .above = 0});
+  v.number(
+      "antinode_amplitude_mm", a.antinode_amplitude,
+      {.help =
+           "the amplitude at the start, of the largest antinode away from the ends; next to a clamp a loop swings up "
+           "to 1 % wider",
+       .unit = units::mm,
+       .above = 0});
   v.number("cycles", a.cycles, {.help = "the number of cycles", .at_least = 1, .required = true});
 }
 

@@ -128,6 +128,9 @@ struct LoopPoint {
   double amplitude = 0;  ///< [m]
 };
 
+/// Along a chain whose unknowns move as Re(motion exp(i w t)), across it in one direction, y or z.
+std::vector<LoopPoint> loop_points(const model::Model& model, model::Unknown across, const Eigen::VectorXcd& motion);
+
 /// Keeps to the committed history of the system, which it never writes. One object serves one thread.
 class PeriodicSolver {
  public:
