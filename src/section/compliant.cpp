@@ -34,6 +34,9 @@ std::vector<double> phases_of(const std::vector<double>& cosine, double ratio) {
 constexpr double usual_strain = 1e-3;
 constexpr double least_load = 1e-9;  // [N/m]
 
+/// [-] Of a cell's gradient on its own limit: what lies beyond sticks anyway.
+constexpr double largest_feedback = 0.9;
+
 conductor::SlipCurve curve_of(const conductor::Interface& face, double load) {
   return face.line ? conductor::SlipCurve::line(face.along.slip_logarithm(std::max(load, least_load)))
                    : conductor::SlipCurve::spot();
@@ -59,25 +62,29 @@ CompliantLaw::CompliantLaw(const conductor::Strand& strand, const CompliantOptio
   const std::vector<conductor::ContactForces> usual =
       conductor::contact_forces(strand, conductor::axial_wire_forces(strand, usual_strain, 0));
 
-  const auto contact = [&](std::size_t upper_layer, double share) {
-    CompliantCoefficients::Contact side{.face = faces[upper_layer], .share = share, .chains = {}};
-    const conductor::SlipCurve curve = curve_of(side.face, usual[upper_layer].f_int);
-    for (double phase : phases) {
-      plan.phase = phase;
-      side.chains.push_back(conductor::spring_chain(curve, plan));
-    }
-    return side;
-  };
   for (std::size_t i = 0; i < c_.planar.layers.size(); ++i) {
     const std::size_t j = strand.layers.size() - 1 - i;
+    const conductor::Layer& wire = strand.layers[j];
     const PlanarCoefficients::Layer& p = c_.planar.layers[i];
-    const double turns = std::max(std::abs(std::sin(strand.layers[j].lay_angle)), 1e-9) / strand.layers[j].helix_radius;
+    const double turns = std::max(std::abs(std::sin(wire.lay_angle)), 1e-9) / wire.helix_radius;
     CompliantCoefficients::Layer layer;
-    layer.k_w = strand.layers[j].EA_wire() * turns * turns;
-    layer.feedback = std::min(0.9, p.slope * p.half_step);
-    layer.contacts = i == 0 ? 1 : 2;
-    layer.inner = contact(j, faces[j].per_outer_wire);
-    if (i > 0) layer.outer = contact(j + 1, faces[j + 1].per_inner_wire);
+    layer.k_w = wire.EA_wire() * turns * turns;
+    layer.wires_per_length = wire.wires / std::cos(wire.lay_angle);
+    layer.own_load = p.kappa * p.half_step;
+    if (p.mu_int > 0) layer.own_load = std::min(layer.own_load, largest_feedback / p.mu_int);
+    if (i > 0) {
+      CompliantCoefficients::Layer& outside = c_.layers.back();
+      const bool crossed = (wire.lay_angle < 0) != (strand.layers[j + 1].lay_angle < 0);
+      layer.load_of_outer = p.c_ext * p.next_layer_ratio * c_.planar.layers[i - 1].inverse_c_int;
+      layer.traction_of_outer = crossed ? layer.load_of_outer : -layer.load_of_outer;
+      outside.slip_of_inner = layer.traction_of_outer * layer.wires_per_length / outside.wires_per_length;
+    }
+    layer.face = faces[j];
+    const conductor::SlipCurve curve = curve_of(layer.face, usual[j].f_int);
+    for (double phase : phases) {
+      plan.phase = phase;
+      layer.chains.push_back(conductor::spring_chain(curve, plan));
+    }
     c_.layers.push_back(std::move(layer));
   }
 }
@@ -87,24 +94,16 @@ namespace compliant_kernel {
 void contact_stiffness(const CompliantCoefficients& c, double strain, const StiffnessOut& out) {
   double f_int = 0;  // of the layer outside, and its derivative
   double f_int_slope = 0;
-  std::size_t row = 0;
-  const auto store = [&](const CompliantCoefficients::Contact& contact, double load, double load_slope) {
-    const conductor::Stiffness K = contact.face.stiffness(load, contact.share);
-    out.value[row * block_lanes] = K.value / c.compliance_scale;
-    if (out.slope) out.slope[row * block_lanes] = K.slope * load_slope / c.compliance_scale;
-    ++row;
-  };
   for (std::size_t i = 0; i < c.layers.size(); ++i) {
     const PlanarCoefficients::Layer& p = c.planar.layers[i];
-    const double outer = p.c_ext * p.next_layer_ratio * f_int;
-    const double outer_slope = p.c_ext * p.next_layer_ratio * f_int_slope;
-    const double inner = p.kappa * p.force_per_strain * strain + outer + p.inner_residual;
+    const CompliantCoefficients::Layer& layer = c.layers[i];
+    const double inner = p.kappa * p.force_per_strain * strain + layer.load_of_outer * f_int + p.inner_residual;
     const bool closed = inner > 0;
-    const double inner_slope = closed ? p.kappa * p.force_per_strain + outer_slope : 0;
-    store(c.layers[i].inner, std::max(0.0, inner), inner_slope);
-    store(c.layers[i].outer, outer, outer_slope);
-    f_int = std::max(0.0, inner) * p.inverse_c_int;
-    f_int_slope = inner_slope * p.inverse_c_int;
+    f_int_slope = closed ? p.kappa * p.force_per_strain + layer.load_of_outer * f_int_slope : 0;
+    f_int = std::max(0.0, inner);
+    const conductor::Stiffness K = layer.face.stiffness(f_int, layer.face.per_outer_wire);
+    out.value[i * block_lanes] = K.value / c.compliance_scale;
+    if (out.slope) out.slope[i * block_lanes] = K.slope * f_int_slope / c.compliance_scale;
   }
 }
 

@@ -5,218 +5,27 @@
 
 #include <hwy/foreach_target.h>
 
-#include "contact_cascade-inl.hpp"
+#include "compliant_cell-inl.hpp"
+#include "dual-inl.hpp"
 #include "slip_energy-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::compliant_kernel {
 namespace HWY_NAMESPACE {
-using namespace kernel::HWY_NAMESPACE;
-
 using PlanarLayer = PlanarCoefficients::Layer;
-using Layer = CompliantCoefficients::Layer;
-using conductor::SpringChain;
-
-/// Newton's method ends after a handful of rounds; this many halvings would do without it.
-constexpr int most_rounds = 200;
-/// The residual of a cell is a sum of some tens of forces: what rounding leaves of it, over the sum of their sizes.
-constexpr double rounding_of_a_cell = 2e-15;
-/// A spring that stands at its limit counts as stuck, whatever the last digits say.
-constexpr double still_stuck = 1 + 1e-13;
 
 /// What the march knows of the whole point.
 struct Point {
-  V chi_step;       // since the last commit
-  const double* K;  // [contact] rows of lanes; inner and outer of each layer in turn
-  const double* K_eps;
+  V eps, chi_step;        // chi_step since the last commit
+  const double* springs;  // committed
+  const double* K;        // [interface] rows of lanes
+  const double* K_eps;    // their derivatives by the strain
 };
 
-/// What does not change from cell to cell of a layer.
-template <bool kTangent>
-struct Loads {
-  Dual<kTangent> inner;    // kappa F_at + c_ext f_ext + c_int R_res
-  Dual<kTangent> outside;  // limit of the outer contact
-};
-
-/// A cell under trial slip: the traction of its springs and how it changes.
-struct Traction {
-  V sum;             // of the springs' forces
-  V elastic;         // [N/m^2] stiffness of the springs that hold
-  V elastic_eps;     // its derivative by the strain, through the contacts' stiffness
-  V sliding_inside;  // part of the inner limit that the sliding springs carry, signed
-  V sliding_outside;
-};
-
-HWY_INLINE void add_springs(const SpringChain& chain, const double* f, V K, V K_eps, V slip, V limit, Traction& t,
-                            V& sliding) {
-  const V zero = hn::Zero(tag);
-  const V reach = hn::Mul(limit, set(still_stuck));
-  const V K_slip = hn::Mul(K, slip);
-  V kappa_elastic = zero;
-  for (std::size_t i = 0; i < chain.limit.size(); ++i, f += block_lanes) {
-    const V kappa = set(chain.stiffness[i]);
-    const V phi = set(chain.limit[i]);
-    const V trial = hn::MulAdd(kappa, K_slip, hn::Load(tag, f));
-    const V most = hn::Mul(phi, limit);
-    t.sum = hn::Add(t.sum, clip(trial, most));
-    // A limit of zero holds nothing, not even a trial of zero.
-    const Mask holds = hn::Lt(hn::Abs(trial), hn::Mul(phi, reach));
-    kappa_elastic = hn::Add(kappa_elastic, hn::IfThenElseZero(holds, kappa));
-    sliding = hn::Add(sliding, hn::IfThenZeroElse(holds, hn::CopySign(phi, trial)));
-  }
-  t.elastic = hn::MulAdd(K, kappa_elastic, t.elastic);
-  t.elastic_eps = hn::MulAdd(K_eps, kappa_elastic, t.elastic_eps);
-}
-
-/// One cell on one side of the neutral plane.
-struct Cell {
-  const PlanarLayer& planar;
-  const Layer& layer;
-  std::size_t angle;
-  std::size_t contact;  // of the point's rows K: the inner one
-  const double* f;      // committed forces of the springs, inner then outer
-
-  double cosine_stick(const PlanarCoefficients& c) const { return planar.k * c.cosine[angle]; }
-};
-
-/// The solved cell.
-struct Solution {
-  V q, slip;       // [N/m], [m] since the last commit
-  V limit_inside;  // [N/m]
-  Mask closed;     // the inner contact presses
-  Traction traction;
-};
-
-HWY_INLINE Traction traction_of(const Cell& cell, const Point& at, V slip, V limit_inside, V limit_outside,
-                                std::size_t springs) {
-  const V zero = hn::Zero(tag);
-  Traction t{zero, zero, zero, zero, zero};
-  const double* K = at.K + cell.contact * block_lanes;
-  const double* K_eps = at.K_eps + cell.contact * block_lanes;
-  add_springs(cell.layer.inner.chains[cell.angle], cell.f, hn::Load(tag, K), hn::Load(tag, K_eps), slip, limit_inside,
-              t, t.sliding_inside);
-  if (cell.layer.contacts > 1) {
-    add_springs(cell.layer.outer.chains[cell.angle], cell.f + springs * block_lanes, hn::Load(tag, K + block_lanes),
-                hn::Load(tag, K_eps + block_lanes), slip, limit_outside, t, t.sliding_outside);
-  }
-  return t;
-}
-
-/// k e = q + k_w u for the slip of the step. `mu_inner` is the inner limit without the cell's own part.
-template <bool kTension>
-HWY_INLINE Solution solve(const PlanarCoefficients& c, std::size_t springs, const Cell& cell, const Point& at,
-                          V mu_inner, V limit_outside) {
-  const V zero = hn::Zero(tag);
-  const V k_w = set(cell.layer.k_w);
-  const V feedback = set(kTension ? cell.layer.feedback : -cell.layer.feedback);
-  V q_before = zero;
-  for (std::size_t i = 0; i < springs * cell.layer.contacts; ++i) {
-    q_before = hn::Add(q_before, hn::Load(tag, cell.f + i * block_lanes));
-  }
-  // Were all springs stuck, the slip would be this: never too far, and beyond the limits of those that slide on.
-  const double* K = at.K + cell.contact * block_lanes;
-  const V all_stuck = hn::Add(hn::Add(k_w, hn::Load(tag, K)), hn::Load(tag, K + block_lanes));
-  const V stick_step = hn::Mul(set(cell.cosine_stick(c)), at.chi_step);
-  const V driven = hn::Add(stick_step, q_before);
-
-  Solution s;
-  s.slip = hn::Div(stick_step, all_stuck);
-  V low = set(-1e300);
-  V high = set(1e300);
-  for (int round = 0;; ++round) {
-    const V q = hn::NegMulAdd(k_w, s.slip, driven);
-    const V limit = hn::MulAdd(feedback, q, mu_inner);
-    s.limit_inside = hn::Max(zero, limit);
-    s.closed = hn::Gt(limit, zero);
-    s.traction = traction_of(cell, at, s.slip, s.limit_inside, limit_outside, springs);
-    s.q = s.traction.sum;
-    const V residual = hn::Sub(s.q, q);
-    const V size = hn::Add(hn::Add(s.limit_inside, limit_outside), hn::Add(hn::Abs(q), hn::Abs(driven)));
-    const Mask done = hn::Le(hn::Abs(residual), hn::Mul(set(rounding_of_a_cell), size));
-    if (round == most_rounds || hn::AllTrue(tag, done)) return s;
-
-    const Mask short_of = hn::Lt(residual, zero);
-    low = hn::IfThenElse(short_of, s.slip, low);
-    high = hn::IfThenElse(short_of, high, s.slip);
-    const V through_limit = hn::IfThenElseZero(s.closed, hn::Mul(s.traction.sliding_inside, feedback));
-    const V slope = hn::MulAdd(k_w, hn::Sub(set(1), through_limit), s.traction.elastic);
-    const V newton = hn::Sub(s.slip, hn::Div(residual, slope));
-    const Mask inside = hn::And(hn::Gt(newton, low), hn::Lt(newton, high));
-    const V next = hn::IfThenElse(inside, newton, hn::MulAdd(set(0.5), hn::Sub(high, low), low));
-    // A solved lane waits unchanged for its neighbours.
-    s.slip = hn::IfThenElse(done, s.slip, next);
-  }
-}
-
-/// Derivatives of a solved cell's q: implicit in the slip.
-template <bool kTension>
-HWY_INLINE Dual<true> derivatives(const Solution& s, const Cell& cell, V stick, const Dual<true>& mu_inner,
-                                  const Dual<true>& outside) {
-  const V k_w = set(cell.layer.k_w);
-  const V inside = hn::IfThenElseZero(s.closed, s.traction.sliding_inside);
-  const V feedback = set(kTension ? cell.layer.feedback : -cell.layer.feedback);
-  const V slope = hn::MulAdd(k_w, hn::NegMulAdd(inside, feedback, set(1)), s.traction.elastic);
-  const V inverse = hn::Div(set(1), slope);
-  const auto through_limits = [&](V d_inner, V d_outside) HWY_ATTR {
-    return hn::Mul(k_w, hn::MulAdd(inside, d_inner, hn::Mul(s.traction.sliding_outside, d_outside)));
-  };
-  const V q_chi = hn::MulAdd(s.traction.elastic, stick, through_limits(mu_inner.chi, outside.chi));
-  const V q_eps = hn::MulAdd(hn::Mul(k_w, s.slip), s.traction.elastic_eps, through_limits(mu_inner.eps, outside.eps));
-  return {s.q, hn::Mul(q_chi, inverse), hn::Mul(q_eps, inverse)};
-}
-
-/// Solves one cell and goes on to the next.
-template <bool kTension, bool kTangent>
-HWY_INLINE Solution advance(const CompliantCoefficients& c, const Cell& cell, const Point& at,
-                            const Loads<kTangent>& load, Quarter<kTangent>& quarter) {
-  const auto mu_inner = sum(scaled(set(cell.planar.mu_int), load.inner), scaled(set(cell.planar.slope), quarter.edge));
-  const Solution s = solve<kTension>(c.planar, c.springs, cell, at, mu_inner.value, load.outside.value);
-  Dual<kTangent> q;
-  if constexpr (kTangent) q = derivatives<kTension>(s, cell, set(cell.cosine_stick(c.planar)), mu_inner, load.outside);
-  q.value = s.q;
-  const V half = set(kTension ? cell.planar.half_step : -cell.planar.half_step);
-  const Dual<kTangent> middle = sum(scaled(half, q), quarter.edge);
-  quarter.edge = sum(scaled(half, q), middle);
-  quarter.sum_of_force = sum(quarter.sum_of_force, middle);
-  quarter.sum_of_moment = sum(quarter.sum_of_moment, scaled(set(c.planar.cosine[cell.angle]), q));
-  return s;
-}
-
-/// The whole march of one register of points. `on_cell(cell, solution, at, limit_outside)` sees every cell.
-template <bool kTangent, class OnCell>
-HWY_INLINE Dual<kTangent> march(const CompliantCoefficients& c, const double* forces, V eps, const Point& at,
-                                const OnCell& on_cell) {
-  const std::size_t cells = c.planar.cosine.size();
-  auto moment = zero<kTangent>();
-  auto f_int = zero<kTangent>();
-  for (std::size_t i = 0; i < c.layers.size(); ++i) {
-    const Layer& layer = c.layers[i];
-    const PlanarLayer& planar = c.planar.layers[i];
-    const V own = set(planar.kappa * planar.force_per_strain);
-    const auto outer = load_from_outside(planar, f_int);
-    const auto alone = dual<kTangent>(hn::MulAdd(own, eps, set(planar.inner_residual)), hn::Zero(tag), own);
-    const Loads<kTangent> load{.inner = sum(alone, outer), .outside = scaled(set(planar.mu_ext), outer)};
-    auto tension = Quarter<kTangent>::at_rest();
-    auto compression = Quarter<kTangent>::at_rest();
-    const std::size_t size = layer.contacts * c.springs * block_lanes;
-    for (std::size_t angle = 0; angle < cells; ++angle) {
-      const Cell one{.planar = planar, .layer = layer, .angle = angle, .contact = 2 * i, .f = forces};
-      on_cell(one, advance<true>(c, one, at, load, tension), load.outside.value);
-      const Cell other{.planar = planar, .layer = layer, .angle = angle, .contact = 2 * i, .f = forces + size};
-      on_cell(other, advance<false>(c, other, at, load, compression), load.outside.value);
-      forces += 2 * size;
-    }
-    moment = sum(moment, scaled(set(planar.weight), sum(tension.sum_of_moment, compression.sum_of_moment)));
-    const V mean = set(c.planar.mean_weight * planar.kappa);
-    f_int = handed_inward(planar, sum(load.inner, scaled(mean, sum(tension.sum_of_force, compression.sum_of_force))));
-  }
-  return moment;
-}
-
-/// Stiffness of the contacts of a register of points, before the step and under its strain.
+/// Stiffness of the interfaces of a register of points, before the step and under its strain.
 struct ContactRows {
   explicit ContactRows(const CompliantCoefficients& c)
-      : size(2 * c.layers.size() * block_lanes), before(size), now(size), now_eps(size) {}
+      : size(c.layers.size() * block_lanes), before(size), now(size), now_eps(size) {}
 
   std::size_t size;
   AlignedVector before, now, now_eps;
@@ -232,26 +41,158 @@ struct ContactRows {
     }
   }
 
-  Point seen_by(V chi_step) const { return {.chi_step = chi_step, .K = now.data(), .K_eps = now_eps.data()}; }
+  Point seen_by(V eps, V chi_step, const double* block) const {
+    return {.eps = eps,
+            .chi_step = chi_step,
+            .springs = block + scalar_rows * block_lanes,
+            .K = now.data(),
+            .K_eps = now_eps.data()};
+  }
 };
 
-template <bool kTangent>
-void respond_all(const CompliantCoefficients& c, const double* history, const Strains& strains, const Response& out) {
-  ContactRows contacts(c);
-  for (const Register at : Registers{strains.points}) {
-    const Rows row{at.rows(history, rows_of_block(c))};
-    const V eps = at.load(strains.eps);
-    const V chi = at.load(strains.chi);
-    contacts.fill(c, row.at + peak_strain * block_lanes, strains.eps + at.first);
-    const V chi_step = hn::Sub(chi, row[committed_chi]);
-    answer(c.planar, out, at, eps, chi,
-           march<kTangent>(c, row.at + scalar_rows * block_lanes, eps, contacts.seen_by(chi_step),
-                           [](const Cell&, const Solution&, V) {}));
+/// The march along one side of the neutral plane: bending force of every layer's wires at the cell's edge, what came of
+/// the cell before, and the derivatives of both.
+struct Side {
+  explicit Side(std::size_t layers, double of_tension)
+      : sign(of_tension),
+        wires(layers),
+        edge(layers),
+        edge_chi(layers),
+        edge_eps(layers),
+        direct(layers),
+        rhs(layers),
+        slip(layers) {}
+
+  double sign;
+  Wires wires;
+  PerLayer edge, edge_chi, edge_eps;
+  PerLayer direct, rhs, slip;  // of the derivatives
+};
+
+/// kappa F_at + c_int R_res + kappa F_edge of every layer.
+HWY_INLINE void load_of(const CompliantCoefficients& c, V eps, Side& side) {
+  for (std::size_t i = 0; i < c.layers.size(); ++i) {
+    const PlanarLayer& p = c.planar.layers[i];
+    const V alone = hn::MulAdd(set(p.kappa * p.force_per_strain), eps, set(p.inner_residual));
+    side.wires.load.set(i, hn::MulAdd(set(p.kappa), side.edge[i], alone));
   }
 }
 
-/// Moves the springs of one contact to their new forces; adds their energies, per k_w/k and in units of the weight.
-HWY_INLINE void settle(const SpringChain& chain, double* f, V K_before, V K, const Solution& s, V limit, V weight,
+/// Derivatives of a solved cell's gradients by one strain, implicit in the slips; moves `edge` on and adds to the
+/// moment. `e` is the derivative of what the angle sees of the curvature, `eps` that of the axial strain.
+HWY_INLINE V differentiate(const CompliantCoefficients& c, double e, double eps, double cosine, const double* K_eps,
+                           Side& side, PerLayer& edge) {
+  const V zero = hn::Zero(tag);
+  const Wires& w = side.wires;
+  const std::size_t layers = c.layers.size();
+  V handed = zero;
+  V outside = zero;
+  for (std::size_t i = 0; i < layers; ++i) {
+    const PlanarLayer& p = c.planar.layers[i];
+    const Layer& layer = c.layers[i];
+    const V demand = set(p.k * e);
+    V load = hn::MulAdd(set(p.kappa), edge[i], set(p.kappa * p.force_per_strain * eps));
+    load = hn::MulAdd(set(side.sign * layer.own_load), demand, hn::Add(load, handed));
+    V direct = hn::Mul(w.follow[i], load);
+    if (eps != 0) {
+      const V stiffer = hn::Mul(hn::Load(tag, K_eps + i * block_lanes), w.holding[i]);
+      direct = hn::MulAdd(stiffer, w.across[i], direct);
+    }
+    side.direct.set(i, direct);
+    side.rhs.set(i, hn::Sub(demand, hn::MulAdd(set(layer.traction_of_outer), outside, direct)));
+    outside = direct;
+    if (i + 1 < layers) handed = hn::Mul(w.handed[i], load);
+  }
+  eliminate(c, side.sign, side.wires, side.rhs, side.slip);
+  // The gradients change as the tractions do: where nothing holds and limits are zero, that is exactly zero.
+  V moment = zero;
+  handed = zero;
+  outside = zero;
+  for (std::size_t i = 0; i < layers; ++i) {
+    const PlanarLayer& p = c.planar.layers[i];
+    const Layer& layer = c.layers[i];
+    const V inside = i + 1 < layers ? side.slip[i + 1] : zero;
+    const V across = hn::MulAdd(set(layer.slip_of_inner), inside, side.slip[i]);
+    const V load = hn::NegMulAdd(set(side.sign * layer.own_load * layer.k_w), side.slip[i], handed);
+    const V traction = hn::MulAdd(w.elastic[i], across, hn::MulAdd(w.follow[i], load, side.direct[i]));
+    const V q = hn::MulAdd(set(layer.traction_of_outer), outside, traction);
+    moment = hn::MulAdd(set(p.weight * cosine), q, moment);
+    edge.set(i, hn::MulAdd(set(2 * side.sign * p.half_step), q, edge[i]));
+    outside = traction;
+    if (i + 1 < layers) handed = hn::Mul(w.handed[i], load);
+  }
+  return moment;
+}
+
+/// Solves one cell and goes on to the next.
+template <bool kTangent, class OnCell>
+HWY_INLINE void advance(const CompliantCoefficients& c, const Point& at, const Cell& cell, Side& side,
+                        Dual<kTangent>& moment, const OnCell& on_cell) {
+  const double cosine = c.planar.cosine[cell.angle];
+  load_of(c, at.eps, side);
+  solve(c, cell, side.wires);
+  if constexpr (kTangent) {
+    moment.chi = hn::Add(moment.chi, differentiate(c, cosine, 0, cosine, at.K_eps, side, side.edge_chi));
+    moment.eps = hn::Add(moment.eps, differentiate(c, 0, 1, cosine, at.K_eps, side, side.edge_eps));
+  }
+  for (std::size_t i = 0; i < c.layers.size(); ++i) {
+    const PlanarLayer& p = c.planar.layers[i];
+    const V q = side.wires.q[i];
+    moment.value = hn::MulAdd(set(p.weight * cosine), q, moment.value);
+    side.edge.set(i, hn::MulAdd(set(2 * side.sign * p.half_step), q, side.edge[i]));
+  }
+  on_cell(cell, side.wires);
+}
+
+/// What a march needs to work in; made once per call.
+struct Bench {
+  explicit Bench(const CompliantCoefficients& c)
+      : tension(c.layers.size(), 1), compression(c.layers.size(), -1), contacts(c) {}
+  Side tension, compression;
+  ContactRows contacts;
+};
+
+/// The whole march of one register of points. `on_cell(cell, wires)` sees every cell.
+template <bool kTangent, class OnCell>
+HWY_INLINE Dual<kTangent> march(const CompliantCoefficients& c, const Point& at, Bench& bench, const OnCell& on_cell) {
+  auto moment = zero<kTangent>();
+  if (c.layers.empty()) return moment;
+  for (Side* side : {&bench.tension, &bench.compression}) {
+    for (std::size_t i = 0; i < c.layers.size(); ++i) {
+      for (PerLayer* edge : {&side->edge, &side->edge_chi, &side->edge_eps}) edge->set(i, hn::Zero(tag));
+    }
+  }
+  const double* springs = at.springs;
+  const std::size_t size = rows_of_cell(c) * block_lanes;
+  for (std::size_t angle = 0; angle < c.planar.cosine.size(); ++angle) {
+    for (Side* side : {&bench.tension, &bench.compression}) {
+      const Cell cell{.angle = angle,
+                      .side = side->sign,
+                      .springs = springs,
+                      .stiffness = at.K,
+                      .e_step = hn::Mul(set(c.planar.cosine[angle]), at.chi_step)};
+      advance<kTangent>(c, at, cell, *side, moment, on_cell);
+      springs += size;
+    }
+  }
+  return moment;
+}
+
+template <bool kTangent>
+void respond_all(const CompliantCoefficients& c, const double* history, const Strains& strains, const Response& out) {
+  Bench bench(c);
+  for (const Register here : Registers{strains.points}) {
+    const Rows row{here.rows(history, rows_of_block(c))};
+    const V eps = here.load(strains.eps);
+    const V chi = here.load(strains.chi);
+    bench.contacts.fill(c, row.at + peak_strain * block_lanes, strains.eps + here.first);
+    const Point at = bench.contacts.seen_by(eps, hn::Sub(chi, row[committed_chi]), row.at);
+    answer(c.planar, out, here, eps, chi, march<kTangent>(c, at, bench, [](const Cell&, const Wires&) {}));
+  }
+}
+
+/// Moves the springs of one interface to their new forces; adds their energies, in units of `weight`.
+HWY_INLINE void settle(const SpringChain& chain, double* f, V K_before, V K, V across, V limit, V weight,
                        SlipEnergy& sums) {
   const V zero = hn::Zero(tag);
   const V half = set(0.5);
@@ -261,9 +202,10 @@ HWY_INLINE void settle(const SpringChain& chain, double* f, V K_before, V K, con
   };
   const V per_K = inverse(K);
   const V widening = hn::Max(zero, hn::Sub(inverse(K_before), per_K));
+  const V K_slip = hn::Mul(K, across);
   for (std::size_t i = 0; i < chain.limit.size(); ++i, f += block_lanes) {
     const V before = hn::Load(tag, f);
-    const V trial = hn::MulAdd(set(chain.stiffness[i]), hn::Mul(K, s.slip), before);
+    const V trial = hn::MulAdd(set(chain.stiffness[i]), K_slip, before);
     const V most = hn::Mul(set(chain.limit[i]), limit);
     const V now = clip(trial, most);
     const V part = hn::Mul(weight, set(1 / chain.stiffness[i]));
@@ -278,30 +220,28 @@ HWY_INLINE void settle(const SpringChain& chain, double* f, V K_before, V K, con
 }
 
 void commit_here(const CompliantCoefficients& c, double* history, const Strains& strains, const Energies& out) {
-  ContactRows contacts(c);
+  Bench bench(c);
   for (const Register here : Registers{strains.points}) {
     double* row = here.rows(history, rows_of_block(c));
-    double* forces = row + scalar_rows * block_lanes;
     double* peak = row + peak_strain * block_lanes;
     const V eps = here.load(strains.eps);
     const V chi = here.load(strains.chi);
-    contacts.fill(c, peak, strains.eps + here.first);
-    const V chi_step = hn::Sub(chi, Rows{row}[committed_chi]);
+    bench.contacts.fill(c, peak, strains.eps + here.first);
+    const Point at = bench.contacts.seen_by(eps, hn::Sub(chi, Rows{row}[committed_chi]), row);
 
     SlipEnergy sums = SlipEnergy::zero();
-    const auto settle_cell = [&](const Cell& cell, const Solution& s, V limit_outside) HWY_ATTR {
-      const double per_k = 1 / cell.planar.k;
-      const V weight = set(cell.planar.weight * cell.layer.k_w * per_k);
-      double* f = forces + (cell.f - forces);
-      for (std::size_t side = 0; side < cell.layer.contacts; ++side, f += c.springs * block_lanes) {
-        const std::size_t at = (cell.contact + side) * block_lanes;
-        const SpringChain& chain = (side == 0 ? cell.layer.inner : cell.layer.outer).chains[cell.angle];
-        settle(chain, f, hn::Load(tag, contacts.before.data() + at), hn::Load(tag, contacts.now.data() + at), s,
-               side == 0 ? s.limit_inside : limit_outside, weight, sums);
+    const auto settle_cell = [&](const Cell& cell, const Wires& w) HWY_ATTR {
+      double* f = row + (cell.springs - row);
+      for (std::size_t i = 0; i < c.layers.size(); ++i, f += (c.springs + 1) * block_lanes) {
+        const PlanarLayer& p = c.planar.layers[i];
+        const std::size_t K = i * block_lanes;
+        hn::Store(w.traction[i], tag, f);
+        settle(c.layers[i].chains[cell.angle], f + block_lanes, hn::Load(tag, bench.contacts.before.data() + K),
+               hn::Load(tag, at.K + K), w.across[i], w.limit[i], set(p.weight * c.layers[i].k_w / p.k), sums);
+        sums.store(set(p.weight / p.k / 2), w.q[i]);
       }
-      sums.store(set(cell.planar.weight * per_k / 2), s.q);
     };
-    march<false>(c, forces, eps, contacts.seen_by(chi_step), settle_cell);
+    march<false>(c, at, bench, settle_cell);
 
     hn::Store(chi, tag, row + committed_chi * block_lanes);
     hn::Store(hn::Max(eps, hn::Load(tag, peak)), tag, peak);

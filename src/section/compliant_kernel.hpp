@@ -10,21 +10,22 @@ using kernel::Energies;
 using kernel::Response;
 using kernel::Strains;
 
-/// Layout of a block of the history: these rows of `block_lanes` doubles, then per layer, outermost first, per
-/// midpoint, tension side before compression side, the forces of the inner contact's springs and of the outer one's.
+/// Layout of a block of the history: these rows of `block_lanes` doubles, then per midpoint, tension side before
+/// compression side, per interface, outermost first, its traction and the forces of its springs.
 enum Row : std::size_t {
   committed_chi,  ///< [1/m]
   peak_strain,    ///< [-] the largest committed axial strain
   scalar_rows
 };
 
+inline std::size_t rows_of_cell(const CompliantCoefficients& c) {
+  return c.layers.size() * (c.springs + 1);
+}
 inline std::size_t rows_of_block(const CompliantCoefficients& c) {
-  std::size_t contacts = 0;
-  for (const CompliantCoefficients::Layer& layer : c.layers) contacts += layer.contacts;
-  return scalar_rows + contacts * 2 * c.planar.cosine.size() * c.springs;
+  return scalar_rows + 2 * c.planar.cosine.size() * rows_of_cell(c);
 }
 
-/// Stiffness of every contact, inner and outer of each layer in turn, and its derivative by the strain, for one lane.
+/// Stiffness of every interface per length of a wire outside it, and its derivative by the strain, for one lane.
 struct StiffnessOut {
   double* value = nullptr;  ///< stride block_lanes
   double* slope = nullptr;  ///< the same; may be null

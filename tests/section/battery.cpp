@@ -335,18 +335,19 @@ void check_closed_loop(const Law& law, const LawDescription& what) {
     std::fill_n(now[axial].begin(), std::size(parts), what.strain);
     Walk walk(law, now);
     std::vector<Field> first_loop;
-    for (std::size_t s = 1; s <= 3 * steps; ++s) {
+    const std::size_t settled = static_cast<std::size_t>(what.settling) * steps;
+    for (std::size_t s = 1; s <= settled + 2 * steps; ++s) {
       const double phase = 2 * std::numbers::pi * static_cast<double>(s) / steps;
       for (std::size_t i = 0; i < std::size(parts); ++i) {
         now[direction][i] = parts[i] * what.curvature * std::sin(phase);
       }
       walk.step(now);
-      if (s <= steps) continue;  // the virgin branch
-      if (s <= 2 * steps) {
+      if (s <= settled) continue;  // the virgin branch, and what wires do to each other
+      if (s <= settled + steps) {
         first_loop.push_back(walk.stresses);
         continue;
       }
-      const Field& earlier = first_loop[s - 2 * steps - 1];
+      const Field& earlier = first_loop[s - settled - steps - 1];
       for (std::size_t i = 0; i < std::size(parts); ++i) {
         check_close(walk.stresses[direction][i], earlier[direction][i], {.absolute = 1e-12 * moment},
                     fmt::format("amplitude {} of the range, step {}:", parts[i], s));

@@ -19,6 +19,7 @@ struct LawDescription {
   double strain = 0;      ///< [-] axial strain in the middle of its range, -0.3 to 2 times this
   double torsion = 0;     ///< [rad/m] spatial laws only
   double grid_angle = 0;  ///< [rad] spatial laws: turning the curvature by this turns the moment. 0: not isotropic
+  int settling = 1;       ///< cycles of a closed loop after which it repeats; 1 where points obey Masing's rule
 };
 
 /// Runs all checks below.
@@ -37,7 +38,7 @@ void check_purity(const section::Law& law, const LawDescription& what);
 /// A point answers the same, to the bit, alone and among whatever neighbours; and the same, to rounding, with and
 /// without the tangent.
 void check_neighbours(const section::Law& law, const LawDescription& what);
-/// At constant tension a closed loop of curvature repeats after its first cycle.
+/// At constant tension a closed loop of curvature repeats once it has settled.
 void check_closed_loop(const section::Law& law, const LawDescription& what);
 /// Turning the whole path of curvature turns the moment and leaves the energies.
 void check_rotation(const section::Law& law, const LawDescription& what);

@@ -21,11 +21,11 @@ using strandyn::test::curlew;
 using strandyn::test::steel_1x6;
 
 TEST_CASE("battery: the compliant law on Curlew") {
-  check_law(CompliantLaw(curlew()), {.curvature = 0.1, .strain = 5e-4});
+  check_law(CompliantLaw(curlew()), {.curvature = 0.1, .strain = 5e-4, .settling = 8});
 }
 
 TEST_CASE("battery: the compliant law on Curlew without residual forces, whose contacts open") {
-  check_law(CompliantLaw(curlew({.residual_forces = false})), {.curvature = 0.1, .strain = 5e-4});
+  check_law(CompliantLaw(curlew({.residual_forces = false})), {.curvature = 0.1, .strain = 5e-4, .settling = 8});
 }
 
 TEST_CASE("battery: the compliant law on a single layer, which touches its core along lines") {
@@ -83,10 +83,10 @@ double fitted_exponent(const std::vector<double>& x, const std::vector<double>& 
 
 }  // namespace
 
-TEST_CASE("compliant law: goes to the return map in proportion to the compliance") {
+TEST_CASE("compliant law: one layer goes to the return map in proportion to the compliance") {
   // Random paths with moving tension; differences in the moment over the largest moment.
-  const Strand strand = curlew();
-  const strandyn::test::LawDescription what{.curvature = 0.1, .strain = 5e-4};
+  const Strand strand = steel_1x6();
+  const strandyn::test::LawDescription what{.curvature = 0.1, .strain = 1e-3};
   const auto path = strandyn::test::random_paths(Dimension::planar, what, {.points = 64, .steps = 40, .stream = 31});
   const PlanarReturnMap rigid(strand, 36);
   const auto distance = [&](double scale) {
@@ -111,8 +111,35 @@ TEST_CASE("compliant law: goes to the return map in proportion to the compliance
   const double at_1e6 = distance(1e-6);
   CHECK(at_1e3 < 1e-3);
   CHECK(at_1e6 < 1e-6);
-  CHECK(distance(1e-9) < 1e-9);
   check_close(at_1e6 / at_1e3, 1e-3, {.relative = 0.2});
+}
+
+TEST_CASE("compliant law: rigid contacts are the return map until an outer layer drags the next one along") {
+  // Curlew's outer layers ask for more than inner ones, n k: after a reversal from full slip the interface between two
+  // layers that stick to each other goes on in its old direction. The return map has no such slip.
+  const Strand strand = curlew({.friction = 0.5});
+  const CompliantLaw rigid(strand, {.compliance_scale = 1e-6});
+  const PlanarReturnMap map(strand, 36);
+  const std::vector<double> amplitudes = {0.01, 0.02, 0.05, 0.1};
+  const std::vector<double> chain = loss_per_cycle(rigid, strain_at(0.2), amplitudes);
+  const std::vector<double> alone = loss_per_cycle(map, strain_at(0.2), amplitudes);
+  check_close(chain[0], alone[0], {.relative = 1e-4});
+  check_close(chain[1], alone[1], {.relative = 1e-4});
+  MESSAGE("at 0.05 1/m: ", chain[2] / alone[2], ", at 0.1 1/m: ", chain[3] / alone[3]);
+  CHECK(chain[2] > 1.05 * alone[2]);
+
+  // Where each layer asks for less than the one inside it, nobody is dragged: the same loops at all amplitudes. The
+  // friction is small, so that the share of bending in the loads is, too.
+  Strand calm = curlew({.friction = 0.01});
+  for (std::size_t j = 1; j < calm.layers.size(); ++j) {
+    calm.layers[j].lay_angle = (j % 2 == 0 ? -1 : 1) * std::asin(1.2 / calm.layers[j].wires / static_cast<double>(j));
+    calm.layers[j].young = 69e9;
+  }
+  const std::vector<double> small = {2e-5, 1e-4, 1e-3, 1e-2};
+  const double eps = strain_at(0.2);
+  const std::vector<double> a = loss_per_cycle(CompliantLaw(calm, {.compliance_scale = 1e-7}), eps, small);
+  const std::vector<double> b = loss_per_cycle(PlanarReturnMap(calm, 36), eps, small);
+  for (std::size_t i = 0; i < small.size(); ++i) check_close(a[i], b[i], {.relative = 1e-3, .absolute = 1e-15}, "loss");
 }
 
 TEST_CASE("compliant law: the loss per cycle grows with the cube of a small amplitude, over more than two decades") {
@@ -144,25 +171,28 @@ TEST_CASE("compliant law: at small amplitude each contact loses (2 - nu) Q^3/(18
   const double G = 69e9 / 2.6;
   const Interface face = interfaces(strand)[2];
   const double chi = 1e-4;
-  double expected = 0;
+  // Everything per length of strand: one interface, its spots counted once, pressed by f_int of the outer wires. Both
+  // wires of a spot slip towards each other: n k e = Q + n k_w u for each, with the slips' sum K^-1 Q.
+  const double half_turn = 1 - std::pow(std::sin(strand.layers[2].lay_angle), 2) / strand.layers[2].helix_radius * 2e-3;
+  const double spots = 12 / std::cos(strand.layers[2].lay_angle) * face.per_outer_wire;
+  const double P = half_turn * outer.f_int / face.per_outer_wire;
+  const double modulus = 69e9 / (2 * (1 - nu * nu));
+  const double a = std::cbrt(3 * P * 2e-3 / std::sin(face.crossing_angle) / (4 * modulus));
+  const double K = spots * 8 * a * G / (2 * (2 - nu));
+  double demand = 0;    // slips of both layers under no traction
+  double give = 1 / K;  // what a traction takes from their sum
   for (std::size_t j : {std::size_t{1}, std::size_t{2}}) {
     const Layer& wire = strand.layers[j];
     const double sine = std::abs(std::sin(wire.lay_angle));
     const double cosine = std::cos(wire.lay_angle);
-    const double kappa = sine * sine / wire.helix_radius;
-    const double spots = j == 2 ? face.per_outer_wire : face.per_inner_wire;
-    const double load = j == 2 ? (1 - kappa * 2e-3) * outer.f_int : (1 + kappa * 2e-3) * outer.f_int * 12 / 6;
-    const double P = load / spots;
-    const double modulus = 69e9 / (2 * (1 - nu * nu));
-    const double a = std::cbrt(3 * P * 2e-3 / std::sin(face.crossing_angle) / (4 * modulus));
-    const double K = spots * 8 * a * G / (2 * (2 - nu));
     const double k_w = wire.EA_wire() * std::pow(sine / wire.helix_radius, 2);
-    const double u = wire.EA_wire() * cosine * cosine * sine * chi / (K + k_w);
-    const double Q = K * u / spots;
-    REQUIRE(Q < 0.02 * 0.4 * P);
-    const double mean_cube = 4 / (3 * std::numbers::pi);
-    expected += wire.wires / cosine * spots * mean_cube * (2 - nu) * Q * Q * Q / (18 * G * a * 0.4 * P);
+    demand += wire.EA_wire() * cosine * cosine * sine * chi / k_w;
+    give += 1 / (wire.wires / cosine * k_w);
   }
+  const double Q = demand / give / spots;
+  REQUIRE(Q < 0.02 * 0.4 * P);
+  const double mean_cube = 4 / (3 * std::numbers::pi);
+  const double expected = spots * mean_cube * (2 - nu) * Q * Q * Q / (18 * G * a * 0.4 * P);
   // The mean over an octave, as the grading leaves a ripple of 1 %; the classical formula is the leading term and
   // the next one adds 2 % at Q = 0.02 mu P.
   const CompliantLaw law(strand);

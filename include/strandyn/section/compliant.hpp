@@ -58,17 +58,16 @@ struct CompliantOptions {
 std::optional<std::string> find_fault(const CompliantOptions& options);
 
 struct CompliantCoefficients {
-  /// What one side of a layer's wires touches.
-  struct Contact {
-    conductor::Interface face;
-    double share = 0;                            ///< contacts per length of this wire; 0: none, no traction
-    std::vector<conductor::SpringChain> chains;  ///< one per midpoint of a quarter turn
-  };
+  /// A layer and the interface inside it.
   struct Layer {
-    double k_w = 0;       ///< [N/m^2]
-    double feedback = 0;  ///< [-] b, at most 0.9
-    Contact inner, outer;
-    std::size_t contacts = 2;  ///< 1 for the outermost layer
+    double k_w = 0;                ///< [N/m^2]
+    double wires_per_length = 0;   ///< [-] n/cos a: length of its wires per length of strand
+    double own_load = 0;           ///< [-] kappa dS/2: what a cell's own gradient adds to its load
+    double load_of_outer = 0;      ///< [-] h: load handed in by the layer outside, per load of its inner contact
+    double traction_of_outer = 0;  ///< [-] a: h where the lays cross, -h where they are equal
+    double slip_of_inner = 0;      ///< [-] c: what a slip of the layer inside adds to that of the interface
+    conductor::Interface face;
+    std::vector<conductor::SpringChain> chains;  ///< one per midpoint of a quarter turn
   };
   PlanarCoefficients planar;
   std::vector<Layer> layers;  ///< outermost first, like planar.layers
