@@ -20,7 +20,7 @@ namespace {
 
 /// Single points whose m f^2 A takes the same five values at each of four frequencies.
 std::string proportional_grid() {
-  std::string text = "\n";
+  std::string text = "mode_shape = \"string\"\n";
   for (double f : {10.0, 16.0, 25.0, 50.0}) {
     for (double s : {6.0, 9.0, 13.0, 20.0, 30.0}) {
       text += fmt::format("[[analysis.at]]\nfrequency_Hz = {}\nantinode_amplitude_mm = {:.17g}\ntension_rts = 0.2\n", f,
@@ -61,16 +61,19 @@ TEST_CASE("at one tension the exponent of frequency is twice that of amplitude p
 }
 
 TEST_CASE("small amplitudes of compliant contacts lose with the cube of amplitude and the seventh power of frequency") {
-  const ordered_json s = summary_of(damping_scene(
-      "compliant",
-      "frequencies_Hz = [10, 12, 15, 20]\namplitude_over_diameter = [0.005, 0.01, 0.02, 0.03]\ntensions_rts = 0.2\n"));
+  const ordered_json s =
+      summary_of(damping_scene("compliant",
+                               "mode_shape = \"string\"\nfrequencies_Hz = [10, 12, 15, 20]\namplitude_over_diameter = "
+                               "[0.005, 0.01, 0.02, 0.03]\ntensions_rts = 0.2\n"));
   check_close(s["fit_free_span"]["l"], 3.0, {.absolute = 0.05});
   check_close(s["fit_free_span"]["m"], 7.0, {.absolute = 0.1});
 }
 
 TEST_CASE("Curlew at 20 Hz and a fifth of its strength loses some milliwatts per metre") {
   const ordered_json points = summary_of(damping_scene(
-      "compliant", "frequencies_Hz = 20\namplitude_over_diameter = [0.1, 0.2]\ntensions_rts = 0.2\n"))["points"];
+      "compliant",
+      "mode_shape = \"string\"\nfrequencies_Hz = 20\namplitude_over_diameter = [0.1, 0.2]\ntensions_rts = 0.2\n"))
+      ["points"];
   // The sectional losses of two section cases summed over a sine by hand, to three digits.
   check_close(points[0]["self_damping_W_per_m"], 1.54e-3, {.relative = 0.01});
   check_close(points[1]["self_damping_W_per_m"], 15.4e-3, {.relative = 0.01});
@@ -191,7 +194,8 @@ TEST_CASE("a point that fails is a row that says why") {
 TEST_CASE("modes and velocities give the frequencies and amplitudes that they name") {
   const casefile::Scene scene = casefile::read_scene_text(
       "[conductor]\ncatalogue = \"curlew\"\n[section]\nlaw = \"return-map\"\n[span]\nlength_m = 30\n"
-      "[analysis]\ntype = \"self-damping\"\nmodes = [4, 12]\nantinode_velocity_m_per_s = [0.1, 0.2]\ntensions_kN = "
+      "[analysis]\ntype = \"self-damping\"\nmode_shape = \"string\"\nmodes = [4, 12]\nantinode_velocity_m_per_s = "
+      "[0.1, 0.2]\ntensions_kN = "
       "25\n",
       "test.toml");
   const auto points = self_damping::points_of(scene);
@@ -224,7 +228,8 @@ TEST_CASE("what a study lacks is named") {
   };
   CHECK(message("tensions_rts = 0.2\namplitude_over_diameter = 0.1\n").find("frequencies are missing") !=
         std::string::npos);
-  CHECK(message("frequencies_Hz = 20\ntensions_rts = 0.2\n").find("amplitudes are missing") != std::string::npos);
+  CHECK(message("mode_shape = \"clamped\"\nfrequencies_Hz = 20\ntensions_rts = 0.2\n").find("amplitudes are missing") !=
+        std::string::npos);
   CHECK(message("modes = 3\ntensions_rts = 0.2\namplitude_over_diameter = 0.1\n").find("span.length_m") !=
         std::string::npos);
   CHECK(message(small_grid + "[[analysis.energy_balance]]\nself_damping = \"published\"\nlaw = \"Noisy\"\n")
