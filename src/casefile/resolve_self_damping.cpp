@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "resolve.hpp"
 #include "strandyn/analysis/published_laws.hpp"
@@ -23,6 +24,27 @@ void need_diameter(const Scene& scene, const std::string& path) {
   refuse(scene.source, path, "needs the diameter of the conductor", "give [conductor]");
 }
 
+/// The limit of the amplitudes must have velocities to speak of, and leave a point of them.
+void check_limit(const Scene& scene) {
+  const SelfDampingAnalysis& a = scene.as<SelfDampingAnalysis>();
+  if (!a.highest_amplitude_over_diameter) return;
+  const std::string path = "analysis.highest_amplitude_over_diameter";
+  need_diameter(scene, path);
+  if (a.antinode_velocities.empty()) {
+    refuse(scene.source, path, "limits the velocities of the grid, and there are none",
+           "give antinode_velocity_m_per_s, or leave the limit out");
+  }
+  if (a.frequencies.empty()) return;  // the frequencies of modes are not known here
+  const double least = std::ranges::min(a.antinode_velocities) /
+                       (2 * std::numbers::pi * std::ranges::max(a.frequencies)) /
+                       scene.conductor->strand.outer_diameter();
+  if (least <= *a.highest_amplitude_over_diameter * (1 + 1e-9)) return;
+  refuse(
+      scene.source, path,
+      fmt::format("leaves no point: the smallest velocity at the highest frequency is {:.3g} of the diameter", least),
+      fmt::format("give {:.3g} or more, or smaller velocities", least));
+}
+
 void check_grid(const Scene& scene) {
   const SelfDampingAnalysis& a = scene.as<SelfDampingAnalysis>();
   const bool amplitudes =
@@ -43,7 +65,7 @@ void check_grid(const Scene& scene) {
   if (any && !tensions)
     refuse(scene.source, "analysis", "its tensions are missing", "give tensions_rts or tensions_kN");
   if (!a.amplitudes_over_diameter.empty()) need_diameter(scene, "analysis.amplitude_over_diameter");
-  if (a.highest_amplitude_over_diameter) need_diameter(scene, "analysis.highest_amplitude_over_diameter");
+  check_limit(scene);
   if (!a.tensions_rts.empty()) need_rated_strength(scene, "analysis.tensions_rts");
   for (std::size_t i = 0; i < a.at.size(); ++i) {
     if (a.at[i].amplitude_over_diameter) {

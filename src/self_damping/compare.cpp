@@ -46,16 +46,20 @@ struct Part {
 /// Why the quadrature and the vibration of a whole span differ: the ratio is the product of these parts.
 std::vector<Part> parts_of(const Quadrature& quadrature, const PointRow& row, const SpanVibration& span, double ratio) {
   const Point point = point_of(row);
+  // A clamped mode of the span's length keeps its shape at any frequency; a wave has another length at the resonance.
+  Point at_resonance = point;
+  if (quadrature.wave_follows_frequency()) at_resonance.frequency = span.resonance;
   const double resonance = span.resonance / point.frequency;
-  const double of_mode = quadrature.free_span_curvature(point);
+  const double of_mode = quadrature.free_span_curvature(at_resonance);
   const double measured = *span.free_span_curvature;
   const double at_mode = quadrature.loss_at(point.tension, of_mode);
+  const double at_asked = quadrature.loss_at(point.tension, quadrature.free_span_curvature(point));
   const double at_measured = quadrature.loss_at(point.tension, measured);
   const double at_tension = quadrature.loss_at(span.mean_tension, measured);
   if (at_mode <= 0 || at_measured <= 0 || at_tension <= 0) return {};
   std::vector<Part> parts = {
       {.place = &RatioParts::frequency,
-       .factor = 1 / resonance,
+       .factor = at_asked / at_mode / resonance,
        .words = fmt::format("the span resonates at {:.4f} of the frequency that was asked for, as with a bending "
                             "stiffness of {:.3f} EI_max",
                             resonance, span.effective_EI)},
@@ -130,6 +134,9 @@ ComparisonRow compare(const Quadrature& quadrature, const PointRow& row, const P
   }
   if (measured) {
     explain(parts_of(quadrature, row, *reference.vibration, free), !*entry.agrees, entry);
+    if (entry.parts && quadrature.wave_follows_frequency()) {
+      entry.free_span_ratio_at_resonance = free / entry.parts->frequency;
+    }
   } else if (!*entry.agrees && free == 0) {
     entry.why = fmt::format("the free span slips by {} only", reference.method);
   }

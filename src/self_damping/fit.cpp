@@ -42,17 +42,38 @@ FitRow row_of(const analysis::PowerLawFit& fit) {
   return row;
 }
 
-/// The rows of one method as points to fit, by the whole span or the free span.
+std::optional<double> self_damping_of(const PointRow& row) {
+  return row.self_damping;
+}
+std::optional<double> friction_of(const PointRow& row) {
+  return row.parts ? row.parts->friction : row.self_damping;
+}
+/// What a laboratory sees, the air included.
+std::optional<double> dissipation_of(const PointRow& row) {
+  if (!row.self_damping) return std::nullopt;
+  return *row.self_damping + (row.parts ? row.parts->air : 0);
+}
+std::optional<double> free_span_dissipation_of(const PointRow& row) {
+  if (!row.free_span) return std::nullopt;
+  return *row.free_span + (row.parts ? row.parts->air_free_span.value_or(0) : 0);
+}
+
+/// The rows of one method as points to fit, by one of the powers above.
 std::vector<analysis::SelfDampingPoint> points_to_fit(const std::vector<PointRow>& rows, std::string_view method,
-                                                      std::optional<double> PointRow::*power) {
+                                                      std::optional<double> (*power)(const PointRow&)) {
   std::vector<analysis::SelfDampingPoint> points;
   for (const PointRow& row : rows) {
-    if (row.method != method || !(row.*power)) continue;
+    const std::optional<double> value = power(row);
+    if (row.method != method || !value) continue;
     points.push_back(
         {.at = {.antinode_amplitude = row.antinode_amplitude, .frequency = row.frequency, .tension = row.tension},
-         .power = *(row.*power)});
+         .power = *value});
   }
   return points;
+}
+
+bool same_powers(const std::vector<analysis::SelfDampingPoint>& a, const std::vector<analysis::SelfDampingPoint>& b) {
+  return std::ranges::equal(a, b, {}, &analysis::SelfDampingPoint::power, &analysis::SelfDampingPoint::power);
 }
 
 std::optional<LevelRow> level_of(const analysis::PowerLaw& law, const std::vector<analysis::SelfDampingPoint>& points) {
@@ -128,10 +149,14 @@ FitRow fit_row(const std::vector<analysis::SelfDampingPoint>& points) {
 Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
   const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
   const std::string_view method = name_of(keys.method);
-  const auto whole = points_to_fit(rows, method, &PointRow::self_damping);
-  const auto free_span = points_to_fit(rows, method, &PointRow::free_span);
+  const auto whole = points_to_fit(rows, method, dissipation_of);
+  const auto free_span = points_to_fit(rows, method, free_span_dissipation_of);
+  const auto damping = points_to_fit(rows, method, self_damping_of);
+  const auto friction = points_to_fit(rows, method, friction_of);
   const analysis::PowerLawFit fit = analysis::fit_power_law(whole);
-  Fits fits{.fit = row_of(fit), .published = published(scene, fit, whole), .law = fit.law()};
+  Fits fits{.fit = row_of(fit), .published = published(scene, fit, whole)};
+  fits.law = same_powers(damping, whole) ? fit.law() : analysis::fit_power_law(damping).law();
+  if (!same_powers(friction, whole)) fits.friction = row_of(analysis::fit_power_law(friction));
   fits.warning = warning_of_common_factor(scene);
   if (!free_span.empty()) fits.free_span = row_of(analysis::fit_power_law(free_span));
   for (const auto& [lowest, highest] : keys.bands) {

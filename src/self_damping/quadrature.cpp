@@ -103,9 +103,8 @@ void Quadrature::begin(const std::vector<Point>& all) {
     losses[i].emplace(*law_, state, range);
   });
   for (std::size_t i = 0; i < tensions.size(); ++i) {
-    tables_.push_back({.tension = tensions[i],
-                       .loss = std::move(*losses[i]),
-                       .material = build::material_loss(scene_, tensions[i])});
+    tables_.push_back(
+        {.tension = tensions[i], .loss = std::move(*losses[i]), .material = build::material_loss(scene_, tensions[i])});
   }
 }
 
@@ -121,6 +120,10 @@ Loop Quadrature::loop_at(const Point& point) const {
   const Wave wave = wave_of(point, mass_);
   if (keys_of(scene_).mode_shape == casefile::ModeShape::string) return string_loop(wave);
   return stiff_loop(at_tension(point.tension), wave);
+}
+
+bool Quadrature::wave_follows_frequency() const {
+  return !goes_over_clamped_modes(scene_);
 }
 
 double Quadrature::free_span_curvature(const Point& point) const {
@@ -154,8 +157,8 @@ double Quadrature::loss_at(double tension, double curvature) const {
 PointResult Quadrature::at(const Point& point, const Watch&) const {
   const SectionalLoss& loss = at_tension(point.tension);
   const double omega = 2 * std::numbers::pi * point.frequency;
-  const double of_metal =
-      section::loss_at(table_of(point.tension).material, section::Component::bending2, omega) * std::numbers::pi * point.frequency;
+  const double of_metal = section::loss_at(table_of(point.tension).material, section::Component::bending2, omega) *
+                          std::numbers::pi * point.frequency;
   const air::AirForce air =
       surroundings_ ? air::force_at(surroundings_->air, surroundings_->diameter, point.frequency) : air::AirForce{};
   if (!goes_over_clamped_modes(scene_)) {

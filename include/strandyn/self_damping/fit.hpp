@@ -111,15 +111,19 @@ void members(V& v, PublishedRow& p) {
 /// Fits of the study's own method.
 struct Fits {
   FitRow fit;
+  std::optional<FitRow> friction{};  ///< where something else damps, too
   std::optional<FitRow> free_span{};
   std::optional<std::vector<BandRow>> bands{};
   PublishedRow published;
-  std::optional<analysis::PowerLaw> law{};  ///< of `fit`
+  std::optional<analysis::PowerLaw> law{};  ///< of the self-damping, without the air
   std::optional<std::string> warning{};     ///< of a common factor that belongs to other conductors
 };
 template <class V>
 void members(V& v, Fits& f) {
-  v.record("fit", f.fit, {.what = "the power law of the points of the study's method"});
+  v.record("fit", f.fit,
+           {.what = "the power law of all that the points of the study's method lose: what a laboratory sees, still "
+                    "air included where there is air"});
+  v.record("fit_friction", f.friction, {.what = "the same of friction alone, where something else damps, too"});
   v.record("fit_free_span", f.free_span, {.what = "the same without the end loops"});
   v.list("bands", f.bands, {.what = "fits of bands of amplitude, of the free span"});
   v.record("published", f.published, {.what = "the published laws beside it"});

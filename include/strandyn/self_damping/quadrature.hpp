@@ -30,6 +30,8 @@ class Quadrature final : public Method {
   const SectionalLoss& at_tension(double tension) const;
   /// The loop of a point where the quadrature goes over a sine.
   Loop loop_at(const Point& point) const;
+  /// Whether the wave of a point follows from its frequency; over clamped modes the length of the span gives it.
+  bool wave_follows_frequency() const;
   /// [1/m] amplitude of the curvature of the free span.
   double free_span_curvature(const Point& point) const;
   /// [1/m^2] curvature over antinode amplitude while all wires stick.
