@@ -125,6 +125,19 @@ TEST_CASE("grid: air has its own entry and its own fit, and is in no self-dampin
   CHECK(fits.by_velocity->caveat);  // two powers are none
 }
 
+TEST_CASE(
+    "grid: the fit of a study is of all that is lost, friction beside it, and the law of the balance has no air") {
+  const Ready dry("compliant", laboratory);
+  const Ready wet("compliant", std::string(laboratory) + "[air]\n");
+  const Fits without = fit_points(dry.scene, rows_of(dry)), with = fit_points(wet.scene, rows_of(wet));
+  CHECK_FALSE(without.friction);
+  REQUIRE(with.friction);
+  CHECK(*with.friction->l == *without.fit.l);
+  CHECK(*with.fit.l < *without.fit.l - 0.1);
+  CHECK(with.law->amplitude == *without.fit.l);
+  CHECK(with.law->factor == without.law->factor);
+}
+
 TEST_CASE("grid: local exponents of one power are that power at every point, of velocities and of amplitudes") {
   for (const bool velocities : {true, false}) {
     std::vector<analysis::SelfDampingPoint> points;

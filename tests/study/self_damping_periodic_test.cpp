@@ -49,6 +49,23 @@ TEST_CASE("the free span of a periodic vibration loses what the quadrature over 
   check_close(product, comparison["free_span_ratio"], {.relative = 1e-12});
 }
 
+TEST_CASE("a wave is compared at the resonance of the span: what is left of the difference is not its frequency") {
+  const ordered_json s =
+      summary_of(span_and("[analysis]\ntype = \"self-damping\"\nfrequencies_Hz = 40\nantinode_amplitude_mm = 1\n"
+                          "tensions_rts = 0.2\n[[analysis.at]]\nfrequency_Hz = 40\nantinode_amplitude_mm = 1\n"
+                          "tension_rts = 0.2\nmethod = \"periodic\"\n",
+                          "compliant"));
+  REQUIRE(s["comparisons"].size() == 1);
+  const ordered_json& comparison = s["comparisons"][0];
+  const double asked = comparison["free_span_ratio"], at_resonance = comparison["free_span_ratio_at_resonance"];
+  check_close(asked, at_resonance * comparison["parts"]["frequency"].get<double>(), {.relative = 1e-12});
+  CHECK(std::abs(at_resonance - 1) < 0.05);  // the band of the comparison
+  // The power of a wave goes with more than the sixth power of its frequency: a per cent of it is not a per cent of
+  // loss.
+  const double sharp = s["points"][1]["resonance_Hz"].get<double>() / 40;
+  CHECK(asked > std::pow(sharp, -5));
+}
+
 TEST_CASE("the antinode reaches the amplitude that was asked for and the drive gives what is lost") {
   const ordered_json row = summary_of(
       span_and(study_of + "frequencies_Hz = 40\nantinode_amplitude_mm = 3\ntensions_rts = 0.2\n"))["points"][0];
