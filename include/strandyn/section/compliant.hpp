@@ -4,8 +4,8 @@
 /// A wire of layer j that slips by u against plane sections, along its own demand and u ~ cos(theta) along its lay,
 /// relaxes the gradient of its force:
 ///     k_j e = q_j + k_w,j u_j,     e = cos(theta) chi,  k = EA_w cos^2 a |sin a|,  k_w = EA_w (sin a/R)^2
-/// and q_j is the traction of its contacts. The interface between layers j and j-1 has one traction T_j that acts on both,
-/// and gives by both slips: by their sum where the lays cross, by their difference where they are equal,
+/// and q_j is the traction of its contacts. The interface between layers j and j-1 has one traction T_j that acts on
+/// both, and gives by both slips: by their sum where the lays cross, by their difference where they are equal,
 ///     q_j = T_j + a_j T_(j+1),     w_j = u_j + c_j u_(j-1),     u_0 = 0 for the core
 /// (a, c with their signs: src/section/README.md). T follows w by Cattaneo and Mindlin,
 ///     T = T_lim [1 - (1 - w/w_star)^(3/2)]  where wires cross,   its antiplane sibling along a line (hertz.hpp)
