@@ -19,21 +19,69 @@ ContactBody body_of(const Layer& layer) {
   return {.radius = layer.diameter / 2, .young = layer.young, .poisson = layer.poisson};
 }
 
+/// Complete elliptic integrals K and D = (K - E)/e^2 by the arithmetic-geometric mean, of k = sqrt(1 - e^2).
+struct Elliptic {
+  double K = 0;
+  double D = 0;
+};
+Elliptic elliptic(double k) {
+  double mean = 1;
+  double root = k;
+  double part = 1;  // c_n^2/e^2 of E = K (1 - sum 2^(n-1) c_n^2)
+  double weight = 0.5;
+  double sum = 0;
+  for (int n = 0; n < 20; ++n) {  // digits double in each
+    sum += weight * part;
+    const double next = (mean + root) / 2;
+    // c_(n+1) = c_n^2/(4 a_(n+1)), so that nothing cancels.
+    const double e2 = 1 - k * k;
+    part = e2 > 0 ? part * part * e2 / (16 * next * next) : 0;
+    root = std::sqrt(mean * root);
+    mean = next;
+    weight *= 2;
+  }
+  const double K = pi / (2 * mean);
+  return {.K = K, .D = K * sum};
+}
+
+/// b/a of the ellipse under surfaces whose distance is A x^2 + B y^2, ratio = B/A >= 1.
+double axis_ratio_of(double ratio) {
+  double low = 0;  // of -ln k
+  double high = 30;
+  for (int halving = 0; halving < 100; ++halving) {
+    const double middle = (low + high) / 2;
+    const double k = std::exp(-middle);
+    const Elliptic i = elliptic(k);
+    ((i.K - i.D) / (k * k * i.D) < ratio ? low : high) = middle;
+  }
+  return std::exp(-(low + high) / 2);
+}
+
 }  // namespace
 
 SpotContact::SpotContact(const BodyPair& b, double crossing_angle) {
-  const double R_e = std::sqrt(b.first.radius * b.second.radius) / std::sin(crossing_angle);
-  radius_per_cube_root_ = std::cbrt(3 * R_e / (4 * contact_modulus(b)));
-  shear_compliance_ = (2 - b.first.poisson) / b.first.shear() + (2 - b.second.poisson) / b.second.shear();
+  const double c1 = 1 / b.first.radius;
+  const double c2 = 1 / b.second.radius;
+  const double sum = (c1 + c2) / 2;
+  const double difference = std::sqrt(c1 * c1 + c2 * c2 + 2 * c1 * c2 * std::cos(2 * crossing_angle)) / 2;
+  // A B = c1 c2 sin^2(phi)/4: small angles lose no digits.
+  const double larger = (sum + difference) / 2;
+  const double smaller = c1 * c2 * std::pow(std::sin(crossing_angle), 2) / (4 * larger);
+  k_ = axis_ratio_of(std::max(1.0, larger / smaller));
+  const Elliptic i = elliptic(k_);
+  axis_per_cube_root_ = std::cbrt(3 * i.D / (2 * pi * contact_modulus(b) * smaller));
+  for (const ContactBody& body : {b.first, b.second}) {
+    compliance_ += ((1 - body.poisson) * i.K + body.poisson * i.D) / body.shear();
+  }
 }
 
-double SpotContact::radius(double force) const {
-  return radius_per_cube_root_ * std::cbrt(force);
+double SpotContact::long_half_axis(double force) const {
+  return axis_per_cube_root_ * std::cbrt(force);
 }
 
 Stiffness SpotContact::stiffness(double force) const {
   if (force <= 0) return {};
-  const double value = 8 * radius(force) / shear_compliance_;
+  const double value = 2 * pi * long_half_axis(force) / compliance_;
   return {.value = value, .slope = value / (3 * force)};
 }
 

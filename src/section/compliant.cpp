@@ -113,8 +113,10 @@ History CompliantLaw::start(const Field& strains) const {
   const std::size_t block_size = compliant_kernel::rows_of_block(c_) * block_lanes;
   History history = kernel::blank_history(strains.points(), compliant_kernel::rows_of_block(c_));
   for (std::size_t i = 0; i < strains.points(); ++i) {
-    double* rows = history.data.data() + i / block_lanes * block_size;
-    rows[compliant_kernel::peak_strain * block_lanes + i % block_lanes] = strains[axial][i];
+    double* at = history.data.data() + i / block_lanes * block_size + i % block_lanes;
+    at[compliant_kernel::peak_strain * block_lanes] = strains[axial][i];
+    compliant_kernel::contact_stiffness(c_, strains[axial][i],
+                                        {.value = at + compliant_kernel::stiffness * block_lanes});
   }
   // A strand that is brought straight to a curvature slips on the way; that is part of getting there, not of a step.
   StepEnergy ignored(strains.points());

@@ -1,5 +1,6 @@
 // The wires of all layers at one angle, and the interfaces between them: solved together, for one register of section
-// points. Included once per instruction set. Rows run from the outermost layer inward, i = 0, 1, ...:
+// points, on both sides of the neutral plane at once: while one side waits for a division the other goes on. Included
+// once per instruction set. Rows run from the outermost layer inward, i = 0, 1, ...:
 //     k_i e = q_i + k_w,i u_i             u_i slip of a wire of layer i along its own demand
 //     q_i   = T_i + a_i T_(i-1)           T_i traction of the interface inside layer i, per length of wire of layer i
 //     T_i   = traction of its springs at the slip  w_i = u_i + c_i u_(i+1)
@@ -12,6 +13,8 @@
 #else
 #define STRANDYN_SECTION_COMPLIANT_CELL_INL
 #endif
+
+#include <array>
 
 #include "lanes-inl.hpp"
 #include "strandyn/section/compliant.hpp"
@@ -31,12 +34,84 @@ constexpr double rounding_of_a_wire = 4e-15;
 /// A spring that stands at its limit counts as stuck, whatever the last digits say.
 constexpr double still_stuck = 1 + 1e-13;
 
-/// A row of lanes per layer.
+/// The same number on both sides of the neutral plane: tension grows with q on the first, falls on the second.
+struct Sides {
+  V t, c;
+};
+struct SideMasks {
+  Mask t, c;
+};
+
+HWY_INLINE Sides both(V x) {
+  return {x, x};
+}
+HWY_INLINE Sides both(double x) {
+  return both(set(x));
+}
+HWY_INLINE Sides add(const Sides& x, const Sides& y) {
+  return {hn::Add(x.t, y.t), hn::Add(x.c, y.c)};
+}
+HWY_INLINE Sides sub(const Sides& x, const Sides& y) {
+  return {hn::Sub(x.t, y.t), hn::Sub(x.c, y.c)};
+}
+HWY_INLINE Sides mul(const Sides& x, const Sides& y) {
+  return {hn::Mul(x.t, y.t), hn::Mul(x.c, y.c)};
+}
+HWY_INLINE Sides div(const Sides& x, const Sides& y) {
+  return {hn::Div(x.t, y.t), hn::Div(x.c, y.c)};
+}
+/// x y + z, z - x y
+HWY_INLINE Sides mul_add(const Sides& x, const Sides& y, const Sides& z) {
+  return {hn::MulAdd(x.t, y.t, z.t), hn::MulAdd(x.c, y.c, z.c)};
+}
+HWY_INLINE Sides neg_mul_add(const Sides& x, const Sides& y, const Sides& z) {
+  return {hn::NegMulAdd(x.t, y.t, z.t), hn::NegMulAdd(x.c, y.c, z.c)};
+}
+HWY_INLINE Sides neg(const Sides& x) {
+  return {hn::Neg(x.t), hn::Neg(x.c)};
+}
+HWY_INLINE Sides absolute(const Sides& x) {
+  return {hn::Abs(x.t), hn::Abs(x.c)};
+}
+HWY_INLINE Sides larger(const Sides& x, const Sides& y) {
+  return {hn::Max(x.t, y.t), hn::Max(x.c, y.c)};
+}
+HWY_INLINE SideMasks above(const Sides& x, const Sides& y) {
+  return {hn::Gt(x.t, y.t), hn::Gt(x.c, y.c)};
+}
+HWY_INLINE SideMasks both_of(const SideMasks& x, const SideMasks& y) {
+  return {hn::And(x.t, y.t), hn::And(x.c, y.c)};
+}
+HWY_INLINE SideMasks one_of(const SideMasks& x, const SideMasks& y) {
+  return {hn::Or(x.t, y.t), hn::Or(x.c, y.c)};
+}
+/// y and not x
+HWY_INLINE SideMasks without(const SideMasks& x, const SideMasks& y) {
+  return {hn::AndNot(x.t, y.t), hn::AndNot(x.c, y.c)};
+}
+HWY_INLINE bool all_true(const SideMasks& x) {
+  return hn::AllTrue(tag, hn::And(x.t, x.c));
+}
+HWY_INLINE Sides choose(const SideMasks& first, const Sides& x, const Sides& y) {
+  return {hn::IfThenElse(first.t, x.t, y.t), hn::IfThenElse(first.c, x.c, y.c)};
+}
+HWY_INLINE Sides if_else_zero(const SideMasks& mask, const Sides& x) {
+  return {hn::IfThenElseZero(mask.t, x.t), hn::IfThenElseZero(mask.c, x.c)};
+}
+
+/// A row of lanes per layer and side.
 class PerLayer {
  public:
-  explicit PerLayer(std::size_t layers) : rows_(layers * block_lanes) {}
-  HWY_INLINE V operator[](std::size_t layer) const { return hn::Load(tag, rows_.data() + layer * block_lanes); }
-  HWY_INLINE void set(std::size_t layer, V value) { hn::Store(value, tag, rows_.data() + layer * block_lanes); }
+  explicit PerLayer(std::size_t layers) : rows_(2 * layers * block_lanes) {}
+  HWY_INLINE Sides operator[](std::size_t layer) const {
+    const double* at = rows_.data() + 2 * layer * block_lanes;
+    return {hn::Load(tag, at), hn::Load(tag, at + block_lanes)};
+  }
+  HWY_INLINE void set(std::size_t layer, const Sides& value) {
+    double* at = rows_.data() + 2 * layer * block_lanes;
+    hn::Store(value.t, tag, at);
+    hn::Store(value.c, tag, at + block_lanes);
+  }
 
  private:
   AlignedVector rows_;
@@ -44,33 +119,45 @@ class PerLayer {
 
 /// The springs of an interface under a trial slip.
 struct Traction {
-  V sum;      // of the springs' forces
-  V holding;  // [-] the part of the stiffness that holds
-  V sliding;  // [-] the part of the limit that sliding springs carry, signed
+  Sides sum;      // of the springs' forces
+  Sides holding;  // [-] the part of the stiffness that holds
+  Sides sliding;  // [-] the part of the limit that sliding springs carry, signed
 };
 
-HWY_INLINE Traction traction_of(const SpringChain& chain, const double* f, V K_slip, V limit) {
+/// One side of it.
+struct Springs {
+  V held, holding, sliding;
+
+  HWY_INLINE void add(V kappa, V phi, V K_slip, V reach, const double* f) {
+    const V trial = hn::MulAdd(kappa, K_slip, hn::Load(tag, f));
+    // A limit of zero holds nothing, not even a trial of zero.
+    const Mask holds = hn::Lt(hn::Abs(trial), hn::Mul(phi, reach));
+    held = hn::Add(held, hn::IfThenElseZero(holds, trial));
+    holding = hn::Add(holding, hn::IfThenElseZero(holds, kappa));
+    sliding = hn::Add(sliding, hn::IfThenZeroElse(holds, hn::CopySign(phi, trial)));
+  }
+};
+
+HWY_INLINE Traction traction_of(const SpringChain& chain, const double* f, std::size_t other_side, const Sides& K_slip,
+                                const Sides& limit) {
   const V zero = hn::Zero(tag);
-  const V reach = hn::Mul(limit, set(still_stuck));
-  Traction t{zero, zero, zero};
+  const Sides reach = mul(limit, both(still_stuck));
+  Springs t{zero, zero, zero};
+  Springs c{zero, zero, zero};
   for (std::size_t i = 0; i < chain.limit.size(); ++i, f += block_lanes) {
     const V kappa = set(chain.stiffness[i]);
     const V phi = set(chain.limit[i]);
-    const V trial = hn::MulAdd(kappa, K_slip, hn::Load(tag, f));
-    t.sum = hn::Add(t.sum, clip(trial, hn::Mul(phi, limit)));
-    // A limit of zero holds nothing, not even a trial of zero.
-    const Mask holds = hn::Lt(hn::Abs(trial), hn::Mul(phi, reach));
-    t.holding = hn::Add(t.holding, hn::IfThenElseZero(holds, kappa));
-    t.sliding = hn::Add(t.sliding, hn::IfThenZeroElse(holds, hn::CopySign(phi, trial)));
+    t.add(kappa, phi, K_slip.t, reach.t, f);
+    c.add(kappa, phi, K_slip.c, reach.c, f + other_side);
   }
-  return t;
+  const Sides sliding{t.sliding, c.sliding};
+  return {mul_add(limit, sliding, {t.held, c.held}), {t.holding, c.holding}, sliding};
 }
 
-/// One cell: where its springs lie, and what it is given.
+/// One angle: where its springs lie, and what it is given.
 struct Cell {
   std::size_t angle;        // of a quarter turn
-  double side;              // 1 where F_b grows with q along the march, -1 where it falls
-  const double* springs;    // committed: per interface its traction, then the forces of its springs
+  const double* springs;    // committed: tension side before compression, per interface its traction and its springs
   const double* stiffness;  // [interface] K, rows of lanes
   V e_step;                 // [1/m] what the angle sees of the curvature's step
 };
@@ -109,156 +196,189 @@ struct Wires {
   PerLayer work;
 };
 
+/// kappa dS/2 as either side has it.
+HWY_INLINE Sides own_load(const Layer& layer) {
+  return {set(layer.own_load), set(-layer.own_load)};
+}
+
 /// Tractions and residuals at `slip`; true where they balance.
-HWY_INLINE Mask balance(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
-  const V zero = hn::Zero(tag);
+HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
+  const Sides zero = both(0);
   const std::size_t layers = c.layers.size();
   const std::size_t rows = (c.springs + 1) * block_lanes;
-  Mask done = hn::Eq(zero, zero);
-  V outside = zero;  // T of the layer outside, its limit, its load
-  V limit_outside = zero;
-  V load_outside = zero;
-  V slip = w.slip[0];
+  SideMasks open{hn::Lt(zero.t, zero.t), hn::Lt(zero.t, zero.t)};
+  Sides outside = zero;  // T of the layer outside, its limit, its load
+  Sides limit_outside = zero;
+  Sides load_outside = zero;
+  Sides slip = w.slip[0];
   for (std::size_t i = 0; i < layers; ++i) {
     const Layer& layer = c.layers[i];
-    const V inside = i + 1 < layers ? w.slip[i + 1] : zero;
-    const V across = hn::MulAdd(set(layer.slip_of_inner), inside, slip);
-    const V wanted = hn::NegMulAdd(set(layer.k_w), slip, w.demand[i]);
-    V load = hn::MulAdd(set(layer.load_of_outer), load_outside, w.load[i]);
-    load = hn::MulAdd(set(cell.side * layer.own_load), wanted, load);
-    const Mask closed = hn::Gt(load, zero);
-    load = hn::Max(zero, load);
-    const V mu = set(c.planar.layers[i].mu_int);
-    const V limit = hn::Mul(mu, load);
-    const V K = hn::Load(tag, cell.stiffness + i * block_lanes);
-    const Traction t =
-        traction_of(layer.chains[cell.angle], cell.springs + i * rows + block_lanes, hn::Mul(K, across), limit);
-    const V q = hn::MulAdd(set(layer.traction_of_outer), outside, t.sum);
-    const V residual = hn::Sub(q, wanted);
-    V size = hn::MulAdd(set(std::abs(layer.traction_of_outer)), limit_outside, limit);
-    size = hn::Add(size, hn::Add(hn::Abs(wanted), hn::Abs(w.demand[i])));
-    done = hn::And(done, hn::Le(hn::Abs(residual), hn::Mul(set(rounding_of_a_wire), size)));
+    const Sides inside = i + 1 < layers ? w.slip[i + 1] : zero;
+    const Sides across = mul_add(both(layer.slip_of_inner), inside, slip);
+    const Sides demand = w.demand[i];
+    const Sides wanted = neg_mul_add(both(layer.k_w), slip, demand);
+    Sides load = mul_add(both(layer.load_of_outer), load_outside, w.load[i]);
+    load = mul_add(own_load(layer), wanted, load);
+    const SideMasks closed = above(load, zero);
+    load = larger(zero, load);
+    const Sides mu = both(c.planar.layers[i].mu_int);
+    const Sides limit = mul(mu, load);
+    const Sides K = both(hn::Load(tag, cell.stiffness + i * block_lanes));
+    const Traction t = traction_of(layer.chains[cell.angle], cell.springs + i * rows + block_lanes, layers * rows,
+                                   mul(K, across), limit);
+    const Sides q = mul_add(both(layer.traction_of_outer), outside, t.sum);
+    const Sides residual = sub(q, wanted);
+    Sides size = mul_add(both(layer.load_of_outer), limit_outside, limit);
+    size = add(size, add(absolute(wanted), absolute(demand)));
+    open = one_of(open, above(absolute(residual), mul(both(rounding_of_a_wire), size)));
     w.across.set(i, across);
     w.limit.set(i, limit);
     w.traction.set(i, t.sum);
     w.q.set(i, q);
     w.residual.set(i, residual);
     w.holding.set(i, t.holding);
-    w.elastic.set(i, hn::Mul(K, t.holding));
-    w.follow.set(i, hn::IfThenElseZero(closed, hn::Mul(mu, t.sliding)));
-    if (i + 1 < layers) w.handed.set(i, hn::IfThenElseZero(closed, set(c.layers[i + 1].load_of_outer)));
+    w.elastic.set(i, mul(K, t.holding));
+    w.follow.set(i, if_else_zero(closed, mul(mu, t.sliding)));
+    if (i + 1 < layers) w.handed.set(i, if_else_zero(closed, both(c.layers[i + 1].load_of_outer)));
     outside = t.sum;
     limit_outside = limit;
     load_outside = load;
     slip = inside;
   }
-  return done;
+  return {hn::Not(open.t), hn::Not(open.c)};
 }
 
-/// The linear system of a cell: slips `out` whose residuals change by `rhs`. Eliminated from the outermost layer
-/// inward; what the layer outside does is a line in the slip of the layer at hand.
-HWY_INLINE void eliminate(const CompliantCoefficients& c, double side, Wires& w, const PerLayer& rhs, PerLayer& out) {
+/// The linear system of a cell: slips `out` whose residuals change by `rhs`, for some right-hand sides at once.
+/// Eliminated from the outermost layer inward; what the layer outside does is a line in the slip of the layer at hand.
+template <std::size_t kColumns>
+HWY_INLINE void eliminate(const CompliantCoefficients& c, Wires& w, const std::array<const PerLayer*, kColumns>& rhs,
+                          const std::array<PerLayer*, kColumns>& out) {
   const std::size_t layers = c.layers.size();
-  const V zero = hn::Zero(tag);
-  V traction = zero, traction_by_slip = zero;  // of the interface outside
-  V load = zero, load_by_slip = zero;          // handed by it
+  const Sides zero = both(0);
+  Sides traction_by_slip = zero;  // of the interface outside
+  Sides load_by_slip = zero;      // handed by it
+  Sides traction[kColumns];
+  Sides load[kColumns];
+  for (std::size_t r = 0; r < kColumns; ++r) traction[r] = load[r] = zero;
   for (std::size_t i = 0; i < layers; ++i) {
     const Layer& layer = c.layers[i];
-    const V elastic = w.elastic[i];
-    const V follow = w.follow[i];
-    const V a = set(layer.traction_of_outer);
-    const V k_w = set(layer.k_w);
-    const V by_slip = hn::NegMulAdd(set(side * layer.own_load), k_w, load_by_slip);
-    const V own = hn::MulAdd(follow, by_slip, hn::Add(elastic, k_w));
-    const V inverse = hn::Div(set(1), hn::MulAdd(a, traction_by_slip, own));
-    const V known = hn::NegMulAdd(follow, load, hn::NegMulAdd(a, traction, rhs[i]));
-    const V slip = hn::Mul(known, inverse);
-    const V by_inner = hn::Mul(hn::Mul(elastic, set(layer.slip_of_inner)), inverse);  // less, per slip of the next
-    out.set(i, slip);
+    const Sides elastic = w.elastic[i];
+    const Sides follow = w.follow[i];
+    const Sides a = both(layer.traction_of_outer);
+    const Sides k_w = both(layer.k_w);
+    const Sides to_inner = both(layer.slip_of_inner);
+    const Sides by_slip = neg_mul_add(own_load(layer), k_w, load_by_slip);
+    const Sides own = mul_add(follow, by_slip, add(elastic, k_w));
+    const Sides inverse = div(both(1), mul_add(a, traction_by_slip, own));
+    const Sides by_inner = mul(mul(elastic, to_inner), inverse);  // less, per slip of the next layer
+    const Sides own_load_by_slip = neg(mul(by_slip, by_inner));
     w.work.set(i, by_inner);
-    const V own_load = hn::MulAdd(by_slip, slip, load);
-    const V own_load_by_slip = hn::Neg(hn::Mul(by_slip, by_inner));
-    traction = hn::MulAdd(elastic, slip, hn::Mul(follow, own_load));
-    traction_by_slip =
-        hn::MulAdd(elastic, hn::Sub(set(layer.slip_of_inner), by_inner), hn::Mul(follow, own_load_by_slip));
-    if (i + 1 == layers) break;
-    load = hn::Mul(w.handed[i], own_load);
-    load_by_slip = hn::Mul(w.handed[i], own_load_by_slip);
+    traction_by_slip = mul_add(elastic, sub(to_inner, by_inner), mul(follow, own_load_by_slip));
+    const bool last = i + 1 == layers;
+    const Sides handed = last ? zero : w.handed[i];
+    load_by_slip = mul(handed, own_load_by_slip);
+    for (std::size_t r = 0; r < kColumns; ++r) {
+      const Sides known = neg_mul_add(follow, load[r], neg_mul_add(a, traction[r], (*rhs[r])[i]));
+      const Sides slip = mul(known, inverse);
+      out[r]->set(i, slip);
+      const Sides load_here = mul_add(by_slip, slip, load[r]);
+      traction[r] = mul_add(elastic, slip, mul(follow, load_here));
+      load[r] = mul(handed, load_here);
+    }
   }
-  V inner = out[layers - 1];
-  for (std::size_t i = layers - 1; i-- > 0;) {
-    inner = hn::NegMulAdd(w.work[i], inner, out[i]);
-    out.set(i, inner);
+  for (std::size_t r = 0; r < kColumns; ++r) {
+    Sides inner = (*out[r])[layers - 1];
+    for (std::size_t i = layers - 1; i-- > 0;) {
+      inner = neg_mul_add(w.work[i], inner, (*out[r])[i]);
+      out[r]->set(i, inner);
+    }
   }
 }
 
 /// What the residuals do on Newton's step: the slope of the springs' potential along it.
-HWY_INLINE V slope_along_step(const CompliantCoefficients& c, const Wires& w) {
-  V sum = hn::Zero(tag);
+HWY_INLINE Sides slope_along_step(const CompliantCoefficients& c, const Wires& w) {
+  Sides sum = both(0);
   for (std::size_t i = 0; i < c.layers.size(); ++i) {
-    sum = hn::MulAdd(set(c.layers[i].wires_per_length), hn::Mul(w.step[i], w.residual[i]), sum);
+    sum = mul_add(both(c.layers[i].wires_per_length), mul(w.step[i], w.residual[i]), sum);
   }
   return sum;
 }
 
-/// Solves a cell. The potential of its springs is convex with a piecewise linear slope: Newton's method. Where a step
-/// passes the lowest point on its way, that point is searched for, until the slope is half of what it was.
+/// The search for the lowest point along a Newton step that passed it. The potential is convex: the lowest point lies
+/// between two lengths of which one has a falling slope, the other a rising one.
+struct LineSearch {
+  Sides slope_start;  // where the step starts
+  Sides length;       // [-] of the way along it
+  Sides low, high, slope_low, slope_high;
+
+  static HWY_INLINE LineSearch begin() {
+    const Sides zero = both(0);
+    return {zero, both(1), zero, zero, zero, zero};
+  }
+  /// Where the step must be tried again, with another length. Half of the slope at the start is near enough.
+  HWY_INLINE SideMasks retry(const Sides& slope, const SideMasks& done) {
+    const Sides enough = mul(both(-0.5), slope_start);
+    const SideMasks passed = above(slope, enough);
+    const SideMasks short_of = both_of(above(neg(enough), slope), above(high, both(0)));
+    const SideMasks again = without(done, one_of(passed, short_of));
+    if (hn::AllFalse(tag, hn::Or(again.t, again.c))) return again;
+    high = choose(passed, length, high);
+    slope_high = choose(passed, slope, slope_high);
+    low = choose(short_of, length, low);
+    slope_low = choose(short_of, slope, slope_low);
+    const Sides secant = div(slope_low, sub(slope_low, choose(again, slope_high, both(1))));
+    const Sides part{clip(secant.t, set(0.1), set(0.9)), clip(secant.c, set(0.1), set(0.9))};
+    length = choose(again, mul_add(part, sub(high, low), low), length);
+    return again;
+  }
+  /// A new step, except where the old one is tried again.
+  HWY_INLINE void restart(const SideMasks& again, const Sides& slope) {
+    slope_start = choose(again, slope_start, slope);
+    slope_low = choose(again, slope_low, slope);
+    length = choose(again, length, both(1));
+    low = if_else_zero(again, low);
+    high = if_else_zero(again, high);
+  }
+};
+
+/// Solves a cell. The potential of its springs is convex with a piecewise linear slope: Newton's method.
 HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
-  const V zero = hn::Zero(tag);
+  const Sides zero = both(0);
   const std::size_t layers = c.layers.size();
   const std::size_t rows = (c.springs + 1) * block_lanes;
   // Were all springs stuck, the slips would be these.
-  V outside = zero;
+  Sides outside = zero;
   for (std::size_t i = 0; i < layers; ++i) {
-    const V traction = hn::Load(tag, cell.springs + i * rows);
-    const V before = hn::MulAdd(set(c.layers[i].traction_of_outer), outside, traction);
-    const V step = hn::Mul(set(c.planar.layers[i].k), cell.e_step);
-    w.demand.set(i, hn::Add(step, before));
+    const double* at = cell.springs + i * rows;
+    const Sides traction{hn::Load(tag, at), hn::Load(tag, at + layers * rows)};
+    const Sides before = mul_add(both(c.layers[i].traction_of_outer), outside, traction);
+    const Sides step = both(hn::Mul(set(c.planar.layers[i].k), cell.e_step));
+    w.demand.set(i, add(step, before));
     w.residual.set(i, step);
-    w.elastic.set(i, hn::Load(tag, cell.stiffness + i * block_lanes));
+    w.elastic.set(i, both(hn::Load(tag, cell.stiffness + i * block_lanes)));
     w.follow.set(i, zero);
     w.handed.set(i, zero);
     outside = traction;
   }
-  eliminate(c, cell.side, w, w.residual, w.slip);
+  eliminate<1>(c, w, {&w.residual}, {&w.slip});
 
-  V slope_before = zero;      // along Newton's step, where it starts
-  V length = set(1);          // of the way along it
-  V low = zero, high = zero;  // lengths between which the lowest point lies, once it was passed
-  V slope_low = zero, slope_high = zero;
+  LineSearch search = LineSearch::begin();
   for (int round = 0;; ++round) {
-    const Mask done = balance(c, cell, w);
-    if (round == most_rounds || hn::AllTrue(tag, done)) return;
-    const V slope = slope_along_step(c, w);
-    const V enough = hn::Mul(set(-0.5), slope_before);
-    const Mask passed = hn::Gt(slope, enough);
-    const Mask short_of = hn::And(hn::Lt(slope, hn::Neg(enough)), hn::Gt(high, zero));
-    Mask again = hn::AndNot(done, hn::Or(passed, short_of));
-    if (round == 0) again = hn::Lt(set(1), zero);
-    if (!hn::AllFalse(tag, again)) {
-      high = hn::IfThenElse(passed, length, high);
-      slope_high = hn::IfThenElse(passed, slope, slope_high);
-      low = hn::IfThenElse(short_of, length, low);
-      slope_low = hn::IfThenElse(short_of, slope, slope_low);
-      const V secant = hn::Div(slope_low, hn::Sub(slope_low, hn::IfThenElse(again, slope_high, set(1))));
-      const V between = hn::MulAdd(clip(secant, set(0.1), set(0.9)), hn::Sub(high, low), low);
-      length = hn::IfThenElse(again, between, length);
-    }
-    if (!hn::AllTrue(tag, hn::Or(again, done))) {
-      for (std::size_t i = 0; i < layers; ++i) w.base.set(i, hn::IfThenElse(again, w.base[i], w.slip[i]));
-      eliminate(c, cell.side, w, w.residual, w.across);
+    const SideMasks done = balance(c, cell, w);
+    if (round == most_rounds || all_true(done)) return;
+    SideMasks again{hn::Lt(zero.t, zero.t), hn::Lt(zero.t, zero.t)};
+    if (round > 0) again = search.retry(slope_along_step(c, w), done);
+    if (!all_true(one_of(again, done))) {
+      eliminate<1>(c, w, {&w.residual}, {&w.across});
       for (std::size_t i = 0; i < layers; ++i) {
-        w.step.set(i, hn::IfThenElse(again, w.step[i], hn::Neg(w.across[i])));
+        w.base.set(i, choose(again, w.base[i], w.slip[i]));
+        w.step.set(i, choose(again, w.step[i], neg(w.across[i])));
       }
-      slope_before = hn::IfThenElse(again, slope_before, slope_along_step(c, w));
-      slope_low = hn::IfThenElse(again, slope_low, slope_before);
-      length = hn::IfThenElse(again, length, set(1));
-      low = hn::IfThenElseZero(again, low);
-      high = hn::IfThenElseZero(again, high);
+      search.restart(again, slope_along_step(c, w));
     }
-    // A solved lane waits unchanged for its neighbours.
+    // What is solved waits unchanged for its neighbours.
     for (std::size_t i = 0; i < layers; ++i) {
-      w.slip.set(i, hn::IfThenElse(done, w.slip[i], hn::MulAdd(length, w.step[i], w.base[i])));
+      w.slip.set(i, choose(done, w.slip[i], mul_add(search.length, w.step[i], w.base[i])));
     }
   }
 }

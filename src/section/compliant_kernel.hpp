@@ -10,19 +10,23 @@ using kernel::Energies;
 using kernel::Response;
 using kernel::Strains;
 
-/// Layout of a block of the history: these rows of `block_lanes` doubles, then per midpoint, tension side before
-/// compression side, per interface, outermost first, its traction and the forces of its springs.
+/// Layout of a block of the history: these rows of `block_lanes` doubles, a row of stiffness per interface,
+/// outermost first, then per midpoint, tension side before compression side, per interface its traction and the forces
+/// of its springs.
 enum Row : std::size_t {
   committed_chi,  ///< [1/m]
   peak_strain,    ///< [-] the largest committed axial strain
-  scalar_rows
+  stiffness       ///< [N/m^2] of the interfaces at that strain
 };
 
 inline std::size_t rows_of_cell(const CompliantCoefficients& c) {
   return c.layers.size() * (c.springs + 1);
 }
+inline std::size_t first_cell(const CompliantCoefficients& c) {
+  return stiffness + c.layers.size();
+}
 inline std::size_t rows_of_block(const CompliantCoefficients& c) {
-  return scalar_rows + 2 * c.planar.cosine.size() * rows_of_cell(c);
+  return first_cell(c) + 2 * c.planar.cosine.size() * rows_of_cell(c);
 }
 
 /// Stiffness of every interface per length of a wire outside it, and its derivative by the strain, for one lane.

@@ -42,8 +42,46 @@ TEST_CASE("hertz: wires that cross at a right angle touch like a ball and a plan
   const double P = 30;
   const double modulus = steel.young / (2 * (1 - 0.3 * 0.3));
   const double a = std::cbrt(3 * P * steel.radius / (4 * modulus));
-  check_close(spot.radius(P), a, {.relative = 1e-14});
+  check_close(spot.long_half_axis(P), a, {.relative = 1e-14});
+  CHECK(spot.axis_ratio() == 1);
   check_close(spot.stiffness(P).value, 8 * a / (2 * 1.7 / steel.shear()), {.relative = 1e-14});
+}
+
+TEST_CASE("hertz: under a crossing angle the ellipse has the pressure's displacement, and slips as one piece") {
+  // Integrals over the ellipse around its middle, in polar coordinates, summed up. Pressure p0 sqrt(1 - x^2/a^2 -
+  // y^2/b^2) moves the surfaces by w0 - A x^2 - B y^2; a traction 1/sqrt(...) moves all points of the ellipse alike.
+  const double phi = 26 * degrees;
+  const double P = 30;
+  const SpotContact spot({aluminium, steel}, phi);
+  const double a = spot.long_half_axis(P);
+  const double b = spot.axis_ratio() * a;
+  constexpr int n = 20'000;
+  double along = 0, across = 0, plain = 0, weighted = 0;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * pi * (i + 0.5) / n;
+    const double c2 = std::pow(std::cos(angle), 2);
+    const double g = c2 / (a * a) + (1 - c2) / (b * b);
+    plain += 1 / std::sqrt(g) / n;
+    weighted += c2 / std::sqrt(g) / n;
+    // A chord through (x, y) carries pi p0/(2 sqrt(g)) (1 - x^2 sin^2/(a^2 b^2 g) - ...): half of it each way.
+    along += (1 - c2) / (b * b) / (a * a) / std::pow(g, 1.5) / n;
+    across += c2 / (a * a) / (b * b) / std::pow(g, 1.5) / n;
+  }
+  const double p0 = 3 * P / (2 * pi * a * b);
+  const double modulus = 1 / ((1 - 0.33 * 0.33) / 69e9 + (1 - 0.3 * 0.3) / 200e9);
+  const double r1 = aluminium.radius;
+  const double r2 = steel.radius;
+  const double A = p0 / modulus * pi / 2 * along;
+  const double B = p0 / modulus * pi / 2 * across;
+  const double sum = (1 / r1 + 1 / r2) / 2;
+  const double difference = std::sqrt(1 / (r1 * r1) + 1 / (r2 * r2) + 2 * std::cos(2 * phi) / (r1 * r2)) / 2;
+  check_close(A + B, sum, {.relative = 1e-9});
+  check_close(B - A, difference, {.relative = 1e-9});
+  double compliance = 0;
+  for (const ContactBody& body : {aluminium, steel}) {
+    compliance += ((1 - body.poisson) * plain + body.poisson * weighted) / (4 * body.shear() * a * b);
+  }
+  check_close(spot.stiffness(P).value, 1 / compliance, {.relative = 1e-9});
 }
 
 TEST_CASE("hertz: contact stiffness grows with the force as its slope says, and is zero where nothing presses") {

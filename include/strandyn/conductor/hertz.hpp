@@ -1,13 +1,15 @@
 #pragma once
 /// \file How far contacting wires give under friction: Hertz spots where wires cross, Hertz lines where they lie along.
 ///
-/// Spot (Cattaneo-Mindlin). Two wires of radii r1, r2 cross under the angle phi and press with P. With
-/// 1/E* = sum (1 - nu^2)/E and G = E/(2 (1 + nu)),
-///     a^3 = 3 P R_e/(4 E*),  R_e = sqrt(r1 r2)/sin(phi)                equivalent circle [Johnson 1985, 4.2]
-///     dQ/du = 8 a/sum[(2 - nu)/G],    u_star = 3 mu P/(16 a) sum[(2 - nu)/G],    Q = mu P [1 - (1 - u/u_star)^(3/2)]
-/// The true spot is an ellipse, along the wires 5 to 12 times as long as wide. Its area is smaller than this circle's
-/// (its mean radius by 9 % at 26 degrees, by 15 % at 16), but a long spot is stiffer along its length than a circle of
-/// its area (by 15 % and 30 %): the stiffness used here is 4 % and 10 % too low.
+/// Spot (Cattaneo-Mindlin). Two wires of radii r1, r2 cross under the angle phi and press with P: an ellipse of half
+/// axes a > b, at 12 to 26 degrees 5 to 12 times as long as wide, its long axis between the wires, where they slip.
+/// With 1/E* = sum (1 - nu^2)/E, G = E/(2 (1 + nu)), k = b/a, e^2 = 1 - k^2, complete elliptic integrals K(e), E(e), D
+/// = (K - E)/e^2,
+///     A + B = (1/r1 + 1/r2)/2,   (B - A)^2 = [1/r1^2 + 1/r2^2 + 2 cos(2 phi)/(r1 r2)]/4
+///     B/A = (K - D)/(k^2 D),     a^3 = 3 P D/(2 pi E* A)                               [Johnson 1985, 4.2]
+///     dQ/du = 2 pi a/sum[((1 - nu) K + nu D)/G]              along the long axis [Mindlin 1949; Johnson 1985, 7.2]
+///     u_star = 3 mu P/(2 dQ/du),    Q = mu P [1 - (1 - u/u_star)^(3/2)]
+/// A circle, phi = 90 degrees and r1 = r2, has 8 a/sum[(2 - nu)/G].
 ///
 /// Line. The wires of layer 1 lie along the core, and slip along the line. Per unit length the wire is in antiplane
 /// shear: traction t on a strip of half width b, balanced by the gradient of the axial force over the section. The
@@ -48,13 +50,14 @@ class SpotContact {
   SpotContact() = default;
   SpotContact(const BodyPair& bodies, double crossing_angle);
 
-  double radius(double force) const;                             ///< [m] of the equivalent circle under `force` [N]
-  Stiffness stiffness(double force) const;                       ///< 8 a/sum[(2 - nu)/G]
-  double shear_compliance() const { return shear_compliance_; }  ///< [1/Pa] sum of (2 - nu)/G
+  double long_half_axis(double force) const;  ///< [m] a under `force` [N]
+  double axis_ratio() const { return k_; }    ///< [-] b/a, the same under every force
+  Stiffness stiffness(double force) const;    ///< along the long axis
 
  private:
-  double radius_per_cube_root_ = 0;  ///< [m/N^(1/3)]
-  double shear_compliance_ = 0;
+  double k_ = 1;
+  double axis_per_cube_root_ = 0;  ///< [m/N^(1/3)]
+  double compliance_ = 0;          ///< [1/Pa] stiffness = 2 pi a/this
 };
 
 class LineContact {

@@ -1,23 +1,27 @@
 #pragma once
 /// \file The strand in planar bending with contacts that give: micro-slip, so that any vibration loses energy.
 ///
-/// A wire that slips by u against plane sections, u ~ cos(theta) along its lay, relaxes the gradient of its force:
-///     k e = q + k_w u,     e = cos(theta) chi,  k = EA_w cos^2 a |sin a|,  k_w = EA_w (sin a/R)^2
-/// and q is the traction of its contacts, inner and outer, which share u. Each follows Cattaneo and Mindlin,
-///     Q = Q_lim [1 - (1 - u/u_star)^(3/2)]  where wires cross,   its antiplane sibling along a line (hertz.hpp)
-/// with no fitted constant: geometry, elasticity and friction give Q_lim and u_star. Small amplitudes lose
+/// A wire of layer j that slips by u against plane sections, along its own demand and u ~ cos(theta) along its lay,
+/// relaxes the gradient of its force:
+///     k_j e = q_j + k_w,j u_j,     e = cos(theta) chi,  k = EA_w cos^2 a |sin a|,  k_w = EA_w (sin a/R)^2
+/// and q_j is the traction of its contacts. The interface between layers j and j-1 has one traction T_j that acts on
+/// both, and gives by both slips: by their sum where the lays cross, by their difference where they are equal,
+///     q_j = T_j + a_j T_(j+1),     w_j = u_j + c_j u_(j-1),     u_0 = 0 for the core
+/// (a, c with their signs: src/section/README.md). T follows w by Cattaneo and Mindlin,
+///     T = T_lim [1 - (1 - w/w_star)^(3/2)]  where wires cross,   its antiplane sibling along a line (hertz.hpp)
+/// with no fitted constant: geometry, elasticity and friction give T_lim and w_star. Small amplitudes lose
 /// (2 - nu) Q^3/(18 G a mu P) per contact and cycle.
 ///
-/// A contact is a parallel chain of elastic-plastic springs [Iwan 1966]: stiffness K kappa_i, limit Q_lim phi_i,
-///     f_i = clip(f_i,n + K kappa_i (u - u_n), -Q_lim phi_i, Q_lim phi_i),   sum kappa_i = sum phi_i = 1
-/// so that moving limits, reversals, stored energy and loss need no rule book. The chain is graded: limits u_star r^-i,
+/// A contact is a parallel chain of elastic-plastic springs [Iwan 1966]: stiffness K kappa_i, limit T_lim phi_i,
+///     f_i = clip(f_i,n + K kappa_i (w - w_n), -T_lim phi_i, T_lim phi_i),   sum kappa_i = sum phi_i = 1
+/// so that moving limits, reversals, stored energy and loss need no rule book. The chain is graded: limits w_star r^-i,
 /// down to `smallest_slip`. One chain loses too much and too little in turns while the amplitude passes its springs;
 /// the angles of a layer have chains that are shifted against each other by parts of r, and together they are smooth.
 ///
-/// Q_lim follows the wire force at the midpoint of the cell, F_w = F_edge +- q dS/2, as in return_map.hpp: the inner
-/// limit is linear in q = k e - k_w u, so a cell is one equation in u, piecewise linear and increasing. Newton's method
-/// ends on it after a few exact corrections. (The slope b = mu_int |sin a| dtheta/2 of the limit counts up to 0.9,
-/// which is a friction coefficient of 40 at 36 points; what lies beyond sticks anyway.)
+/// T_lim follows the load at the midpoint of the cell: the wire force F_w = F_edge +- q dS/2 of this layer and, handed
+/// inward at the same angle, of those outside. A cell is a system of one equation per layer, the slope of a convex
+/// potential, piecewise linear: Newton's method ends on it. (The part of a cell's own q in its limit, mu_int |sin a|
+/// dtheta/2, counts up to 0.9, which is a friction coefficient of 40 at 36 points; what lies beyond sticks anyway.)
 ///
 /// K follows the axial strain: it belongs to the layer's mean force at the largest strain that the point has seen,
 /// since a spot stays as wide as it has been pressed. It grows at constant spring force, which loses energy and never
@@ -26,11 +30,12 @@
 ///
 /// Energies per unit length, C_j = n_j R_j^2 cos a_j/|sin a_j|, C_j k_w/k = n_j/cos a_j wires per length of strand:
 ///     U_f = sum_j C_j mean[q^2/(2k) + (k_w/k) sum_i f_i^2/(2 K_i)]
-///     D   = sum_j C_j mean[(k_w/k) sum_i max(f_1 du_slip, (f_0 + f_1)/2 du_slip) + f_0^2/2 (1/K_0 - 1/K_1)] >= 0
-/// with du_slip of each spring; then delta U_f + D - E_quad = (M_0 + M_1)/2 delta chi, friction part, because
-/// (q_0 + q_1)/2 delta e = delta(q^2/(2k)) + (k_w/k) sum (f_0 + f_1)/2 delta u.
+///     D   = sum_j C_j mean[(k_w/k) sum_i max(f_1 dw_slip, (f_0 + f_1)/2 dw_slip) + f_0^2/2 (1/K_0 - 1/K_1)] >= 0
+/// with dw_slip of each spring; then delta U_f + D - E_quad = (M_0 + M_1)/2 delta chi, friction part, because
+/// sum_j C_j (q_0 + q_1)/2 delta e = sum_j C_j [delta(q^2/(2k)) + (k_w/k) sum (f_0 + f_1)/2 delta w].
 ///
-/// Limits it reproduces: compliance to zero is the return map; mu = 0 gives EI_min and no loss; mu without bound is
+/// Limits it reproduces: compliance to zero is the return map for one layer, and for several as long as no layer is
+/// dragged by the one outside it (README); mu = 0 gives EI_min and no loss; mu without bound is
 /// elastic, with less than EI_max by what the contacts give; EI_min and EI_max bound every tangent at constant limits.
 ///
 /// Every evaluation marches: some spring always slips. The spatial law would differ in e(theta) = cos(theta) chi2 +
