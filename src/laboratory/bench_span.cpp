@@ -37,8 +37,10 @@ BenchSpan::BenchSpan(build::BuiltSpan built, const build::Shaker& shaker, int mo
 }
 
 void BenchSpan::find_mode() {
-  const solver::Mode mode = span::modes_across(span_, mode_number_).back();
+  const std::vector<solver::Mode> modes = span::modes_across(span_, mode_number_);
+  const solver::Mode& mode = modes.back();
   frequency_ = mode.frequency;
+  if (modes.size() > 1) round_trip_ = frequency_ / (frequency_ - modes[modes.size() - 2].frequency);
   loop_length_ = span_.built.loop_length(frequency_);
   shape_ = span::unit_antinode(span_, mode);
   system::Matrix M = span_.system.make_matrix();

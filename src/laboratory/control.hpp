@@ -50,8 +50,9 @@ class Control {
   /// Holds it where it is wanted: once it is there, it stays.
   Drive held() const;
   /// The drive of each cycle, as parts of the held one, on the way to letting go: evenly up for n cycles and down to
-  /// nothing for n, so that the amplitude is `above` [-] what is wanted when the drive has gone. A force that lets go
-  /// at once leaves the neighbouring modes swinging, which beat with the losses: even steps over n cycles strike none.
+  /// nothing for n, a round trip of a wave, so that the amplitude is `above` [-] what is wanted when the drive has
+  /// gone. A force that lets go at once leaves the neighbouring modes swinging, which beat with the losses: even steps
+  /// over n cycles strike none.
   std::vector<double> way_out(std::size_t n, double above) const;
 
   double amplitude_error() const { return amplitude_error_; }    ///< [-] of the wanted amplitude

@@ -184,7 +184,7 @@ std::vector<DecayingPair> decaying_pairs(const BenchRun& run) {
     if (!fit) break;
     pairs.push_back({.off = std::log(std::sqrt(two[0] * two[1]) / run.steady.modal_amplitude),
                      .decrement = fit->decrement,
-                     .loss = (run.decay_losses[i] + run.decay_losses[i + 1]) / 2});
+                     .loss = std::sqrt(run.decay_losses[i] * run.decay_losses[i + 1])});
   }
   // Those within a quarter of the amplitude, three at least.
   std::ranges::sort(pairs, {}, [](const DecayingPair& pair) { return std::abs(pair.off); });
@@ -192,17 +192,20 @@ std::vector<DecayingPair> decaying_pairs(const BenchRun& run) {
   return pairs;
 }
 
-/// At the wanted amplitude, by a parabola over its logarithm; a line through few.
+/// At the wanted amplitude, by a parabola over its logarithm; a line through few. Losses fall with a power of the
+/// amplitude, so that their logarithm is what is nearly straight; where there are none, they are fitted as they are.
 double at_amplitude(const std::vector<DecayingPair>& pairs, double DecayingPair::*value) {
   const Eigen::Index terms = pairs.size() > 4 ? 3 : 2;
   Eigen::MatrixXd powers(static_cast<Eigen::Index>(pairs.size()), terms);
   Vector values(powers.rows());
+  const bool logarithms = std::ranges::all_of(pairs, [&](const DecayingPair& pair) { return pair.*value > 0; });
   for (Eigen::Index i = 0; i < powers.rows(); ++i) {
     const DecayingPair& pair = pairs[static_cast<std::size_t>(i)];
     for (Eigen::Index term = 0; term < terms; ++term) powers(i, term) = std::pow(pair.off, static_cast<double>(term));
-    values(i) = pair.*value;
+    values(i) = logarithms ? std::log(pair.*value) : pair.*value;
   }
-  return powers.colPivHouseholderQr().solve(values)(0);
+  const double found = powers.colPivHouseholderQr().solve(values)(0);
+  return logarithms ? std::exp(found) : found;
 }
 
 std::optional<DecayReading> read_decay(const BenchSpan& bench, const BenchRun& run, double antinode_amplitude) {

@@ -49,6 +49,7 @@ class Bench {
         hooks_(hooks),
         short_stretch_(std::max<std::size_t>(4, static_cast<std::size_t>(bench.mode_number()))),
         long_stretch_((analysis::cycles_that_show_steadiness + short_stretch_ - 1) / short_stretch_ * short_stretch_),
+        way_out_(std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(bench.round_trip())))),
         trial_(bench.at_rest(), bench.shape(), bench.frequency()),
         control_({.modal_mass = bench.modal_mass(),
                   .coupling = bench.coupling(),
@@ -207,14 +208,15 @@ class Bench {
     return bench_.modal_mass() * std::pow(2 * pi * drive_.frequency * modal_amplitude, 2) / 2;
   }
 
-  /// Let go some cycles above the measured amplitude, so that it is passed on the way.
+  /// Let go a little above the measured amplitude, so that it is passed on the way. The further the span is pushed up,
+  /// the more its decaying cycles lose at the same amplitude.
   void decay() {
     double loss = 0;
     for (const Cycle& cycle : run_.steady.cycles) loss += cycle.dissipated() / keys_.cycles;
     const double decrement = loss / (2 * energy(run_.steady.modal_amplitude));
-    constexpr double cycles_above = 4;
+    constexpr double cycles_above = 2;
     Drive drive = drive_;
-    for (const double part : control_.way_out(short_stretch_, std::min(0.15, cycles_above * decrement))) {
+    for (const double part : control_.way_out(way_out_, std::min(0.15, cycles_above * decrement))) {
       drive.amplitude = part * drive_.amplitude;
       run_.stopped = vibrate(drive, 1).stopped;
       if (run_.stopped) return;
@@ -230,9 +232,10 @@ class Bench {
   const BenchOptions& keys_;
   double wanted_;
   const BenchHooks& hooks_;
-  // [cycles] Neighbouring modes of a span are a part 1/n of the frequency of mode n apart: a drive that lasts whole
-  // multiples of n cycles leaves them as it found them.
+  // [cycles] Neighbouring modes of a span are about a part 1/n of the frequency of mode n apart: a drive that lasts
+  // whole multiples of n cycles leaves them nearly as it found them.
   std::size_t short_stretch_, long_stretch_;
+  std::size_t way_out_;  // [cycles] up, and as many down: whole round trips of a wave
   span::TrialCycles trial_;
   Control control_;
   Drive drive_;

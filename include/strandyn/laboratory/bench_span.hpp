@@ -29,8 +29,11 @@ class BenchSpan {
   const span::SpanAtRest& at_rest() const { return span_; }
 
   int mode_number() const { return mode_number_; }
-  double frequency() const { return frequency_; }         ///< [Hz] of the mode at rest
-  double modal_mass() const { return modal_mass_; }       ///< [kg] at an antinode of 1
+  double frequency() const { return frequency_; }    ///< [Hz] of the mode at rest
+  double modal_mass() const { return modal_mass_; }  ///< [kg] at an antinode of 1
+  /// [-] cycles that a wave takes there and back along the span: in them the mode below falls behind by one. n in mode
+  /// n of a string; fewer in a stiff span, whose modes lie further apart.
+  double round_trip() const { return round_trip_; }
   double loop_length() const { return loop_length_; }     ///< [m] by tension and mass
   const system::Vector& shape() const { return shape_; }  ///< at an antinode of 1; driven in its own direction
 
@@ -58,7 +61,7 @@ class BenchSpan {
 
   int mode_number_ = 1;
   span::SpanAtRest span_;
-  double frequency_ = 0, modal_mass_ = 0, loop_length_ = 0;
+  double frequency_ = 0, modal_mass_ = 0, loop_length_ = 0, round_trip_ = 1;
   system::Vector shape_, momentum_, sensor_;
   build::Shaker shaker_;
   double coupling_ = 0;
