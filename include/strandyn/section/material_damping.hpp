@@ -17,10 +17,10 @@
 ///     eta(omega) = Delta omega tau/(1 + omega^2 tau^2),   tau = d^2/(13.55 a_th),   Delta = E alpha^2 T/(rho c_p)
 /// on the bending stiffness that a wire has about its own axis. It is there without any flaw of the metal: a floor.
 ///
-/// **The stiffness that branches act on** is that of the section at rest, layer by layer: EA, GJ and EI of sticking wires
-/// with the layers' own loss factors, whatever slips later. Where wires slip, friction takes a hundred times more. Who
-/// builds them scales EI to what the law has at rest. The law `slip` has the wires' own bending only, and the branches
-/// with it. The coupling of tension and torsion has none.
+/// **The stiffness that branches act on** is that of the section at rest, layer by layer: EA, GJ and EI of sticking
+/// wires with the layers' own loss factors, whatever slips later. Where wires slip, friction takes a hundred times
+/// more. Who builds them scales EI to what the law has at rest. The law `slip` has the wires' own bending only, and the
+/// branches with it. The coupling of tension and torsion has none.
 ///
 /// **A step** of h in which the strain goes evenly by de is exact,
 ///     sigma_1 = sigma_0 exp(-x) + E de (1 - exp(-x))/x,   x = h/tau
