@@ -214,9 +214,9 @@ class Bench {
     double loss = 0;
     for (const Cycle& cycle : run_.steady.cycles) loss += cycle.dissipated() / keys_.cycles;
     const double decrement = loss / (2 * energy(run_.steady.modal_amplitude));
-    constexpr double cycles_above = 2;
+    constexpr double cycles_above = 4, most_above = 0.1;
     Drive drive = drive_;
-    for (const double part : control_.way_out(way_out_, std::min(0.15, cycles_above * decrement))) {
+    for (const double part : control_.way_out(way_out_, std::min(most_above, cycles_above * decrement))) {
       drive.amplitude = part * drive_.amplitude;
       run_.stopped = vibrate(drive, 1).stopped;
       if (run_.stopped) return;

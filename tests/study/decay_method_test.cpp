@@ -93,7 +93,7 @@ double measured_over_ledger(const Slider& slider, const std::string& more = {}) 
 }  // namespace
 
 TEST_CASE("decay method: what slipping contacts store makes it read more than is lost, by as much as their loops say") {
-  // The antinode bends to 2.2e-3 1/m, twice the yield and more: sliders of 3, 2 and 1 % of the span's stiffness.
+  // The antinode bends to 2.2e-3 1/m, twice the yield and more: sliders of 4, 1 and 6 % of T/k^2 + EI.
   for (const Slider& slider : {Slider{120, 1e-3}, Slider{40, 1e-3}, Slider{160, 1e-3}}) {
     CAPTURE(slider.stiffness);
     const double predicted = predicted_over_ledger(slider, 2e-3);
