@@ -161,7 +161,8 @@ TEST_CASE("the wave of a free span at the resonance of a shaken span loses what 
       "type = \"self-damping\"\ntensions_rts = 0.2\n";
   const ordered_json shaken = summary_of(head +
                                          "method = \"periodic\"\nfrequencies_Hz = [12, 20, 32]\n"
-                                         "amplitude_over_diameter = [0.03, 0.06, 0.12]\n")["points"];
+                                         "amplitude_over_diameter = [0.03, 0.06, 0.12]\n"
+                                         "periodic = { samples = 128 }\n")["points"];  // 64 lose one per cent
   REQUIRE(shaken.size() == 9);
   for (const ordered_json& point : shaken) {
     const double frequency = point["frequency_Hz"], amplitude = point["antinode_amplitude_m"];
