@@ -191,7 +191,7 @@ PointResult Quadrature::at(const Point& point, const Watch&) const {
   return result;
 }
 
-/// A table takes some 128 steps of one and a half cycles for each of its knots, of which there are 8 a decade to begin
+/// A table takes some 64 steps of one and a half cycles for each of its knots, of which there are 24 a decade to begin
 /// with; and the search for the onset, 65 points a round.
 Expected Quadrature::expected(const std::vector<Point>& all) const {
   const std::vector<Point> points = points_of_quadrature(scene_, all);
@@ -208,9 +208,9 @@ Expected Quadrature::expected(const std::vector<Point>& all) const {
       expected += {.least = 65, .most = 130};
       continue;
     }
-    const double per_knot = scene_.section.law == casefile::Law::compliant ? 1280 : 320;  // its loops close in cycles
+    const double per_knot = scene_.section.law == casefile::Law::compliant ? 640 : 160;  // its loops close in cycles
     const double decades = std::log10(highest / lowest) + 1.5;
-    expected += {.least = 12 * decades * per_knot, .most = 110 * decades * per_knot};
+    expected += {.least = 30 * decades * per_knot, .most = 200 * decades * per_knot};
   }
   return expected;
 }
