@@ -78,9 +78,11 @@ class HighlightReader {
   void record(const char* key, R& x, const About&) {
     HighlightReader inner(prefix_ + key + ".");
     inner.part(x);
+    // A record of which there are several says which one it is, in all of its names.
+    const bool taken = std::ranges::any_of(inner.found, [this](const Highlight& highlight) {
+      return std::ranges::find(found, highlight.name, &Highlight::name) != found.end();
+    });
     for (Highlight& highlight : inner.found) {
-      // A record of which there are several says which one it is.
-      const bool taken = std::ranges::find(found, highlight.name, &Highlight::name) != found.end();
       if (taken) highlight.name += ", " + label_of(key).name;
       found.push_back(std::move(highlight));
     }
