@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "strandyn/analysis/methods.hpp"
 
@@ -22,9 +21,7 @@ std::vector<DampingAtAmplitude> damping_against_amplitude(const std::vector<Deca
       at.log_decrement = std::log(before.amplitude / after.amplitude) / (after.number - before.number);
     }
     at.power = cycle.lost * span.frequency / span.length;
-    at.damping_ratio = damping_ratio(at.power, {.mass_per_length = span.mass_per_length,
-                                                .frequency = span.frequency,
-                                                .velocity = 2 * std::numbers::pi * span.frequency * cycle.amplitude});
+    at.damping_ratio = damping_ratio_at(at.power, cycle.amplitude, span);
     at.loss_factor = loss_factor(at.damping_ratio);
     curve.push_back(at);
   }

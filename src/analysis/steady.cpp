@@ -4,7 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "strandyn/analysis/methods.hpp"
+
 namespace strandyn::analysis {
+
+double damping_ratio_at(double power, double antinode_amplitude, const SpanNumbers& span) {
+  const double velocity = 2 * std::numbers::pi * span.frequency * antinode_amplitude;
+  if (!(velocity > 0)) return 0;
+  return damping_ratio(power,
+                       {.mass_per_length = span.mass_per_length, .frequency = span.frequency, .velocity = velocity});
+}
 
 SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbers& span, std::size_t last) {
   SteadyState s;
@@ -19,9 +28,7 @@ SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbe
     numerical += weight * cycles[i].numerical;
   }
   s.self_damping = s.dissipation * span.frequency / span.length;
-  const double omega = 2 * std::numbers::pi * span.frequency;
-  const double V = omega * s.antinode_amplitude;
-  if (V > 0) s.damping_ratio = 2 * s.self_damping / (span.mass_per_length * omega * V * V);
+  s.damping_ratio = damping_ratio_at(s.self_damping, s.antinode_amplitude, span);
   s.loss_factor = 2 * s.damping_ratio;
   if (s.dissipation + s.air > 0) s.numerical_share = std::abs(numerical) / (s.dissipation + s.air);
   return s;

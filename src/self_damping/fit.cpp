@@ -42,38 +42,9 @@ FitRow row_of(const analysis::PowerLawFit& fit) {
   return row;
 }
 
-std::optional<double> self_damping_of(const PointRow& row) {
-  return row.self_damping;
-}
-std::optional<double> friction_of(const PointRow& row) {
-  return row.parts ? row.parts->friction : row.self_damping;
-}
-/// What a laboratory sees, the air included.
-std::optional<double> dissipation_of(const PointRow& row) {
-  if (!row.self_damping) return std::nullopt;
-  return *row.self_damping + (row.parts ? row.parts->air : 0);
-}
 std::optional<double> free_span_dissipation_of(const PointRow& row) {
   if (!row.free_span) return std::nullopt;
   return *row.free_span + (row.parts ? row.parts->air_free_span.value_or(0) : 0);
-}
-
-/// The rows of one method as points to fit, by one of the powers above.
-std::vector<analysis::SelfDampingPoint> points_to_fit(const std::vector<PointRow>& rows, std::string_view method,
-                                                      std::optional<double> (*power)(const PointRow&)) {
-  std::vector<analysis::SelfDampingPoint> points;
-  for (const PointRow& row : rows) {
-    const std::optional<double> value = power(row);
-    if (row.method != method || !value) continue;
-    points.push_back(
-        {.at = {.antinode_amplitude = row.antinode_amplitude, .frequency = row.frequency, .tension = row.tension},
-         .power = *value});
-  }
-  return points;
-}
-
-bool same_powers(const std::vector<analysis::SelfDampingPoint>& a, const std::vector<analysis::SelfDampingPoint>& b) {
-  return std::ranges::equal(a, b, {}, &analysis::SelfDampingPoint::power, &analysis::SelfDampingPoint::power);
 }
 
 std::optional<LevelRow> level_of(const analysis::PowerLaw& law, const std::vector<analysis::SelfDampingPoint>& points) {
@@ -137,9 +108,37 @@ std::optional<std::string> warning_of_common_factor(const Scene& scene) {
   if (ratio < belongs && ratio > 1 / belongs) return std::nullopt;
   return fmt::format(
       "the factor d/sqrt(m RTS) of published laws belongs to conductors of about 30 mm: for this one it is {:.3g} "
-      "times "
-      "that of Noiseux's own similarity; take \"Noiseux, by similarity\" beside it",
+      "times that of Noiseux's own similarity; take \"Noiseux, by similarity\" beside it",
       ratio);
+}
+
+std::optional<double> friction_of(const PointRow& row) {
+  return row.parts ? row.parts->friction : row.self_damping;
+}
+std::optional<double> self_damping_of(const PointRow& row) {
+  return row.self_damping;
+}
+std::optional<double> dissipation_of(const PointRow& row) {
+  if (!row.self_damping) return std::nullopt;
+  return *row.self_damping + (row.parts ? row.parts->air : 0);
+}
+
+std::vector<analysis::SelfDampingPoint> points_to_fit(const Scene& scene, const std::vector<PointRow>& rows,
+                                                      PowerOf power, std::optional<std::string_view> grid) {
+  const std::string_view method = name_of(scene.as<casefile::SelfDampingAnalysis>().method);
+  std::vector<analysis::SelfDampingPoint> points;
+  for (const PointRow& row : rows) {
+    const std::optional<double> value = power(row);
+    if (row.method != method || !value || (grid && row.grid != *grid)) continue;
+    points.push_back(
+        {.at = {.antinode_amplitude = row.antinode_amplitude, .frequency = row.frequency, .tension = row.tension},
+         .power = *value});
+  }
+  return points;
+}
+
+bool same_powers(const std::vector<analysis::SelfDampingPoint>& a, const std::vector<analysis::SelfDampingPoint>& b) {
+  return std::ranges::equal(a, b, {}, &analysis::SelfDampingPoint::power, &analysis::SelfDampingPoint::power);
 }
 
 FitRow fit_row(const std::vector<analysis::SelfDampingPoint>& points) {
@@ -148,17 +147,16 @@ FitRow fit_row(const std::vector<analysis::SelfDampingPoint>& points) {
 
 Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
   const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
-  const std::string_view method = name_of(keys.method);
-  const auto whole = points_to_fit(rows, method, dissipation_of);
-  const auto free_span = points_to_fit(rows, method, free_span_dissipation_of);
-  const auto damping = points_to_fit(rows, method, self_damping_of);
-  const auto friction = points_to_fit(rows, method, friction_of);
+  const auto whole = points_to_fit(scene, rows, dissipation_of);
+  const auto free_span = points_to_fit(scene, rows, free_span_dissipation_of);
+  const auto damping = points_to_fit(scene, rows, self_damping_of);
+  const auto friction = points_to_fit(scene, rows, friction_of);
   const analysis::PowerLawFit fit = analysis::fit_power_law(whole);
   Fits fits{.fit = row_of(fit), .published = published(scene, fit, whole)};
   fits.law = same_powers(damping, whole) ? fit.law() : analysis::fit_power_law(damping).law();
-  if (!same_powers(friction, whole)) fits.friction = row_of(analysis::fit_power_law(friction));
+  if (!same_powers(friction, whole)) fits.friction = fit_row(friction);
   fits.warning = warning_of_common_factor(scene);
-  if (!free_span.empty()) fits.free_span = row_of(analysis::fit_power_law(free_span));
+  if (!free_span.empty()) fits.free_span = fit_row(free_span);
   for (const auto& [lowest, highest] : keys.bands) {
     const double diameter = scene.conductor->strand.outer_diameter();
     const analysis::AmplitudeBand band{.lowest = lowest * diameter, .highest = highest * diameter};

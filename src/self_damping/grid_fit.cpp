@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "strandyn/air/still_air.hpp"
+
 namespace strandyn::self_damping {
 
 using analysis::SelfDampingPoint;
@@ -55,30 +57,6 @@ std::optional<Triple> spread(const std::vector<LocalExponents>& all, std::option
   return Triple{values.front(), values[values.size() / 2], values.back()};
 }
 
-template <class Power>
-std::vector<SelfDampingPoint> points_of_grid(const Scene& scene, const std::vector<PointRow>& rows,
-                                             std::string_view grid, const Power& power) {
-  const std::string_view method = name_of(scene.as<casefile::SelfDampingAnalysis>().method);
-  std::vector<SelfDampingPoint> points;
-  for (const PointRow& row : rows) {
-    if (row.method != method || row.grid != grid || !row.has_numbers()) continue;
-    points.push_back(
-        {.at = {.antinode_amplitude = row.antinode_amplitude, .frequency = row.frequency, .tension = row.tension},
-         .power = power(row)});
-  }
-  return points;
-}
-
-double self_damping_of(const PointRow& row) {
-  return *row.self_damping;
-}
-double friction_of(const PointRow& row) {
-  return row.parts ? row.parts->friction : *row.self_damping;
-}
-double dissipation_of(const PointRow& row) {
-  return *row.self_damping + (row.parts ? row.parts->air : 0);
-}
-
 std::optional<std::string> caveat_of(const FitRow& fit, const LocalRow& local) {
   std::string words;
   const auto wanders = [&](const std::optional<Triple>& range, const char* name) {
@@ -94,18 +72,13 @@ std::optional<std::string> caveat_of(const FitRow& fit, const LocalRow& local) {
 }
 
 std::optional<GridFit> fit_of(const Scene& scene, const std::vector<PointRow>& rows, std::string_view grid) {
-  const auto damping = points_of_grid(scene, rows, grid, self_damping_of);
+  const auto damping = points_to_fit(scene, rows, self_damping_of, grid);
   if (damping.empty()) return std::nullopt;
-  const auto sum = [](const std::vector<SelfDampingPoint>& points) {
-    double power = 0;
-    for (const SelfDampingPoint& point : points) power += point.power;
-    return power;
-  };
   GridFit fit{.self_damping = fit_row(damping), .local = {}};
-  const auto friction = points_of_grid(scene, rows, grid, friction_of);
-  const auto lost = points_of_grid(scene, rows, grid, dissipation_of);
-  if (sum(friction) != sum(damping)) fit.friction = fit_row(friction);
-  if (sum(lost) != sum(damping)) fit.dissipation = fit_row(lost);
+  const auto friction = points_to_fit(scene, rows, friction_of, grid);
+  const auto lost = points_to_fit(scene, rows, dissipation_of, grid);
+  if (!same_powers(friction, damping)) fit.friction = fit_row(friction);
+  if (!same_powers(lost, damping)) fit.dissipation = fit_row(lost);
   const std::vector<LocalExponents> local = local_exponents(lost);
   fit.local = {.l = spread(local, &LocalExponents::l),
                .m = spread(local, &LocalExponents::m),
@@ -115,11 +88,6 @@ std::optional<GridFit> fit_of(const Scene& scene, const std::vector<PointRow>& r
 }
 
 }  // namespace
-
-std::vector<SelfDampingPoint> all_that_is_lost(const Scene& scene, const std::vector<PointRow>& rows,
-                                               std::string_view grid) {
-  return points_of_grid(scene, rows, grid, dissipation_of);
-}
 
 std::vector<LocalExponents> local_exponents(const std::vector<SelfDampingPoint>& points) {
   const auto amplitude = [](const TestCondition& at) { return at.antinode_amplitude; };
@@ -170,8 +138,8 @@ GridFits fit_grids(const Scene& scene, const std::vector<PointRow>& rows) {
 std::vector<std::string> warnings_of_points(const Scene& scene, const std::vector<PointRow>& rows) {
   const double mass = *casefile::mass_per_length(scene);
   const double diameter = scene.conductor ? scene.conductor->strand.outer_diameter() : 0;
-  std::size_t fast = 0, wide = 0, brief = 0;
-  double fastest = 0, widest = 0, briefest = INFINITY;
+  std::size_t fast = 0, wide = 0, torn = 0, brief = 0;
+  double fastest = 0, widest = 0, most_torn = 0, briefest = INFINITY;
   for (const PointRow& row : rows) {
     const double velocity = 2 * std::numbers::pi * row.frequency * row.antinode_amplitude;
     fast += velocity > highest_velocity ? 1 : 0;
@@ -183,6 +151,12 @@ std::vector<std::string> warnings_of_points(const Scene& scene, const std::vecto
     brief += wave < shortest_wave ? 1 : 0;
     widest = std::max(widest, amplitude);
     briefest = std::min(briefest, wave);
+    if (!scene.air || scene.air->still.drag_per_K > 0 || scene.air->still.drag_coefficient > 0) continue;
+    const double through_air = scene.air->diameter.value_or(diameter);
+    const double K = 2 * std::numbers::pi * row.antinode_amplitude / through_air;
+    const double over = K / air::honji_limit(scene.air->still, through_air, row.frequency);
+    torn += over > 1 ? 1 : 0;
+    most_torn = std::max(most_torn, over);
   }
   std::vector<std::string> warnings;
   const auto warn = [&](std::size_t count, const std::string& what) {
@@ -194,6 +168,9 @@ std::vector<std::string> warnings_of_points(const Scene& scene, const std::vecto
                    highest_velocity, fastest));
   warn(wide, fmt::format("have an antinode amplitude above the diameter, up to {:.3g} of it: no laboratory runs them",
                          widest));
+  warn(torn, fmt::format("swing so wide that the flow of the air is attached no more, up to {:.3g} times the limit of "
+                         "A/D, and the air takes more than is said: air.drag_per_K stands for that",
+                         most_torn));
   warn(brief,
        fmt::format("have a wave shorter than {:g} diameters, down to {:.3g}: plane sections of a strand are doubtful "
                    "there",

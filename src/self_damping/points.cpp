@@ -18,17 +18,15 @@ namespace {
 double mode_frequency(const Scene& scene, casefile::DampingMethod method, double tension, int mode) {
   const double mass = *casefile::mass_per_length(scene);
   const double length = *scene.span->length;
-  const bool string = method == casefile::DampingMethod::foti_2018 ||
-                      (method == casefile::DampingMethod::quadrature &&
-                       scene.as<casefile::SelfDampingAnalysis>().mode_shape == casefile::ModeShape::string);
-  const bool sine = method == casefile::DampingMethod::quadrature &&
-                    scene.as<casefile::SelfDampingAnalysis>().mode_shape == casefile::ModeShape::sine;
+  const casefile::ModeShape shape = scene.as<casefile::SelfDampingAnalysis>().mode_shape;
+  const bool by_quadrature = method == casefile::DampingMethod::quadrature;
+  const bool string =
+      method == casefile::DampingMethod::foti_2018 || (by_quadrature && shape == casefile::ModeShape::string);
   if (string) return exact::frequency({.tension = tension, .mass_per_length = mass, .length = length}, mode);
   const exact::TensionedBeam beam = {
       .tension = tension, .EI = build::section_numbers(scene).EI_max, .mass_per_length = mass, .length = length};
-  const bool pinned =
-      sine || (method != casefile::DampingMethod::quadrature && scene.span->left == casefile::Support::pinned &&
-               scene.span->right == casefile::Support::pinned);
+  const bool pins = scene.span->left == casefile::Support::pinned && scene.span->right == casefile::Support::pinned;
+  const bool pinned = by_quadrature ? shape == casefile::ModeShape::sine : pins;
   const exact::BeamEnds ends = pinned ? exact::BeamEnds::pinned : exact::BeamEnds::clamped;
   return exact::TensionedBeamMode(beam, ends, mode).frequency();
 }
@@ -57,7 +55,7 @@ std::vector<Asked> single_points(const Scene& scene) {
         point.tension_rts = tension.tension_rts;
         point.frequency = frequency.frequency;
         point.mode = frequency.mode;
-        all.push_back({.at = point, .grid = point.antinode_velocity ? "velocity" : "amplitude"});
+        all.push_back({.at = point, .grid = point.antinode_velocity ? velocity_grid : amplitude_grid});
       }
     }
   }

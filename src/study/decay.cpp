@@ -78,10 +78,8 @@ std::vector<DecayRow> some_of(const std::vector<DecayRow>& rows) {
 }  // namespace
 
 double damping_ratio_of(const observe::Cycle& cycle, const analysis::SpanNumbers& span) {
-  return analysis::damping_ratio(cycle.self_damping() * span.frequency / span.length,
-                                 {.mass_per_length = span.mass_per_length,
-                                  .frequency = span.frequency,
-                                  .velocity = 2 * std::numbers::pi * span.frequency * cycle.antinode_amplitude});
+  return analysis::damping_ratio_at(cycle.self_damping() * span.frequency / span.length, cycle.antinode_amplitude,
+                                    span);
 }
 
 std::vector<results::MemberNote> notes_of_decay() {

@@ -147,7 +147,8 @@ void add_local_exponents(const Scene& scene, const std::vector<PointRow>& rows, 
   results::Table table(
       {"antinode_velocity_m_per_s", "frequency_Hz", "antinode_amplitude_m", "tension_N", "l", "m", "n"});
   for (const std::string_view grid : {self_damping::velocity_grid, self_damping::amplitude_grid}) {
-    for (const auto& local : self_damping::local_exponents(self_damping::all_that_is_lost(scene, rows, grid))) {
+    for (const auto& local :
+         self_damping::local_exponents(self_damping::points_to_fit(scene, rows, self_damping::dissipation_of, grid))) {
       if (!local.l || !local.m || !local.n) continue;
       table.append(std::array{2 * std::numbers::pi * local.at.frequency * local.at.antinode_amplitude,
                               local.at.frequency, local.at.antinode_amplitude, local.at.tension, *local.l, *local.m,

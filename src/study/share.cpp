@@ -31,6 +31,13 @@ void check_numerical_share(const casefile::Scene& scene, const build::Integratio
       *account.share, account.cycles == 0 ? "" : " over the last cycles", bound, remedy);
 }
 
+std::vector<std::string> loss_columns(const casefile::Scene& scene) {
+  std::vector<std::string> columns = {"viscous_dissipation_J", "friction_dissipation_J"};
+  if (scene.material) columns.emplace_back("material_dissipation_J");
+  if (scene.air) columns.emplace_back("air_dissipation_J");
+  return columns;
+}
+
 void add_effort(const system::System& system, Cost& cost) {
   cost.residual_evaluations = system.residual_evaluations();
   cost.jacobian_evaluations = system.jacobian_evaluations();

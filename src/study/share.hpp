@@ -16,6 +16,9 @@ struct ShareAccount {
 void check_numerical_share(const casefile::Scene& scene, const build::Integration& integration,
                            const VibrationPlan& plan, const ShareAccount& account, Outcome& outcome);
 
+/// The columns of the losses that a scene can have.
+std::vector<std::string> loss_columns(const casefile::Scene& scene);
+
 /// `cost` of an integration, with a warning of steps that fell back to order 1.
 void add_integration(const solver::IntegratorSummary& run, const system::System& system, Outcome& outcome);
 void add_effort(const system::System& system, Cost& cost);

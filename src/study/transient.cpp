@@ -287,12 +287,14 @@ class Transient final : public Analysis {
     outcome.tell(summary);
     add_histories(probes, outcome);
     outcome.tables.push_back({.file = "energies.csv", .table = results::table_of(energy.rows())});
+    std::vector<std::string> drawn = {"kinetic_J", "elastic_J", "external_work_J"};
+    std::ranges::copy(loss_columns(scene_), std::back_inserter(drawn));
+    drawn.emplace_back("numerical_dissipation_J");
     outcome.figures.push_back({.name = "energies",
                                .title = "Energies",
                                .table = "energies.csv",
                                .x = "t_s",
-                               .y = {"kinetic_J", "elastic_J", "external_work_J", "friction_dissipation_J",
-                                     "viscous_dissipation_J", "numerical_dissipation_J"},
+                               .y = drawn,
                                .caption = "Energies of the state; works and losses since the start."});
     if (run.ending == solver::Ending::failed) {
       outcome.exit_code = ExitCode::not_converged;

@@ -235,9 +235,7 @@ void warn_of_coarse_mesh(const span::SpanAtRest& span, double loop_length, Outco
 }
 
 void add_figures(const Scene& scene, Outcome& outcome) {
-  std::vector<std::string> lost = {"viscous_dissipation_J", "friction_dissipation_J"};
-  if (scene.material) lost.emplace_back("material_dissipation_J");
-  if (scene.air) lost.emplace_back("air_dissipation_J");
+  const std::vector<std::string> lost = loss_columns(scene);
   std::vector<std::string> drawn = {"external_work_J"},
                            columns = {"cycle", "t_s", "antinode_amplitude_m", "external_work_J"};
   drawn.insert(drawn.end(), lost.begin(), lost.end());

@@ -84,7 +84,7 @@ TEST_CASE("air: figures of the literature and of other tables") {
   for (const auto& [frequency, milliwatts] : {std::pair{10.0, 0.0532}, {20.0, 0.0747}, {50.0, 0.118}}) {
     check_close(1e3 * air::force_at(air, diameter, frequency).power_of_loop(0.2), milliwatts, {.relative = 6e-3});
   }
-  // Hall's limit: K = 0.96 at beta = 1300.
+  // Hall's limit at beta = 1300: 5.778/6.005 (1 + 0.205/6.005).
   check_close(air::honji_limit(air, diameter, 1300 * air.viscosity / (diameter * diameter)), 0.996, {.absolute = 5e-3});
   CHECK(air::force_at({.density = 0}, diameter, 20).is_none());
 }

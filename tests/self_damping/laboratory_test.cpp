@@ -187,6 +187,21 @@ TEST_CASE("grid: what no laboratory runs is said with its number") {
   CHECK(warnings[2].find("2 of 4 points have a wave shorter than 40 diameters, down to 23.8") != std::string::npos);
 }
 
+TEST_CASE("grid: where the air's flow is attached no more, the study says so, unless a drag stands for it") {
+  const std::string wide = "frequencies_Hz = 20\nantinode_amplitude_mm = [2, 12]\ntensions_rts = 0.2\n";
+  const auto warnings = [&](const std::string& air) {
+    const Ready ready("stick", wide + air);
+    return warnings_of_points(ready.scene, rows_of(ready));
+  };
+  CHECK(warnings("").size() == 1);  // 1.5 m/s
+  CHECK(warnings("[air]\ndrag_per_K = 0.2\n").size() == 1);
+  const std::vector<std::string> attached = warnings("[air]\n");
+  REQUIRE(attached.size() == 2);
+  // K = 2.38 at 12 mm; the limit at beta = 1338 is 0.99.
+  CHECK(attached[1].find("1 of 2 points swing so wide") != std::string::npos);
+  CHECK(attached[1].find("up to 2.41 times") != std::string::npos);
+}
+
 TEST_CASE("published: the common factor belongs to conductors of 30 mm, and says so of Hawk") {
   const auto warning_of = [](const std::string& name) {
     casefile::Scene scene = test::damping_scene("stick", laboratory, {"conductor.catalogue=" + name});

@@ -28,9 +28,9 @@ model::Model in_air(model::Freedom freedom) {
   return model;
 }
 
-Vector forces(const System& system, const Vector& v, bool with_air) {
-  Vector f = system.make_vector(), none = f;
-  if (with_air) system.air_on_chain().add_force(system.air(), v.data(), f.data());
+Vector air_force(const System& system, const Vector& v) {
+  Vector f = system.make_vector();
+  system.air_on_chain().add_force(system.air(), v.data(), f.data());
   return f;
 }
 
@@ -49,14 +49,14 @@ TEST_CASE("air on a chain: it takes energy in every motion, and none of a motion
       const Vector v = random(system, 1);
       const double power = system.air_power(v.data());
       CHECK(power > 0);
-      check_close(power, v.dot(forces(system, v, true)), {.relative = 1e-13});
+      check_close(power, v.dot(air_force(system, v)), {.relative = 1e-13});
     }
     Vector along = zeros(model);
     for (std::size_t i = 0; i < system.unknowns(); ++i) {
       if (model.kind(i) == model::Unknown::x) along(static_cast<Eigen::Index>(i)) = 1;
     }
     CHECK(system.air_power(along.data()) == 0);
-    CHECK(forces(system, along, true).norm() == 0);
+    CHECK(air_force(system, along).norm() == 0);
   }
 }
 
@@ -91,8 +91,7 @@ TEST_CASE("air on a chain: the matrix is the derivative of the force") {
     Vector product = system.make_vector();
     K.multiply(direction.data(), product.data());
     const double h = 1e-6;
-    const Vector difference =
-        (forces(system, v + h * direction, true) - forces(system, v - h * direction, true)) / (2 * h);
+    const Vector difference = (air_force(system, v + h * direction) - air_force(system, v - h * direction)) / (2 * h);
     CHECK((product - difference).norm() < 1e-8 * product.norm());
   }
 }

@@ -6,15 +6,14 @@
 ///     beta = D^2 f/nu,   s = (pi beta)^(-1/2)
 ///     c(f) = 2 pi D sqrt(rho mu omega/2) (1 + s - s^2/4)                              [N s/m^2]
 /// which is the drag coefficient 3 pi^3/(2 K) (s + s^2 - s^3/4) at the Keulegan-Carpenter number K = 2 pi A/D. Sarpkaya
-/// 1986 (J. Fluid Mech. 165, 61) measured it up to the K at which the flow becomes unstable to Honji's vortices,
-///     K_h = 5.778 beta^(-1/4) (1 + 0.205 beta^(-1/4))                                 Hall 1984 (J. Fluid Mech. 146,
-///     347)
-/// (1.0 at beta = 1300: A/D 0.16). Beyond, the drag is higher. Two parts may stand for that, both off unless asked
-/// for:
-///     F = rho D C_d/2 |w| w                    a drag coefficient, the same at every amplitude (Morison's equation)
-///     C_d = a K                                shed vortices of a round body at small K, Graham 1980 (J. Fluid Mech.
-///     97,
-///                                              331); a = 0.2 is quoted for circular cylinders
+/// 1986 (J. Fluid Mech. 165, 61) measured it up to the K at which Honji's vortices make the flow unstable, by Hall 1984
+/// (J. Fluid Mech. 146, 347)
+///     K_h = 5.778 beta^(-1/4) (1 + 0.205 beta^(-1/4))         1.0 at beta = 1300: A/D 0.16
+/// Beyond, the drag is higher. Two parts may stand for that, both off unless asked for:
+///     F = rho D C_d/2 |w| w      a drag coefficient, the same at every amplitude (Morison's equation)
+///     C_d = a K                  shed vortices of a round body at small K, Graham 1980 (J. Fluid Mech. 97, 331); a =
+///     0.2
+///                                is quoted for circular cylinders
 /// The second is not a force of the moment, since K is that of the swing: in its place stands e |w|^2 w with
 /// e = 16 rho a/(9 pi f), which takes the same energy from a sine of frequency f.
 ///
@@ -39,7 +38,6 @@ struct AirForce {
   double cubic = 0;      ///< [N s^3/m^4]
 
   bool is_none() const { return linear == 0 && quadratic == 0 && cubic == 0; }
-  bool is_linear() const { return quadratic == 0 && cubic == 0; }
   /// [N s/m^2] force over velocity at a speed.
   double factor(double speed) const { return linear + speed * (quadratic + speed * cubic); }
   /// [W/m] mean of a sine of that velocity amplitude [m/s].

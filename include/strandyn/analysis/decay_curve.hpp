@@ -3,7 +3,7 @@
 ///
 ///     delta_i = ln(Y_(i-1)/Y_(i+1))/2       by the amplitudes of the neighbours; at either end by the one there is
 ///     P_i/L   = D_i f/L                     by the ledger, and from it zeta and loss factor          [IEEE563]
-/// Two roads: delta/pi is a loss factor, too. It contains what the integrator takes, swings where other modes beat with
+/// Two ways: delta/pi is a loss factor, too. It contains what the integrator takes, swings where other modes beat with
 /// the decaying one, and misses that m L V^2/4 is the energy of a sine only.
 
 #include <optional>

@@ -28,6 +28,9 @@ struct SpanNumbers {
   double mass_per_length = 0;  ///< [kg/m]
 };
 
+/// zeta of a power per length [W/m] at an antinode amplitude [m]; 0 at rest.
+double damping_ratio_at(double power, double antinode_amplitude, const SpanNumbers& span);
+
 struct SteadyState {
   std::size_t cycles = 0;                 ///< over how many the means were taken
   double antinode_amplitude = 0;          ///< [m] mean

@@ -1,10 +1,9 @@
 #pragma once
 /// \file Four ways to the self-damping of one bench run, by the words of the standards.  [IEEE563] [IEC62567]
 ///
-/// ledger:  friction, material and viscous loss of the measured cycles; that to still air, and the numerical part,
-/// stand
-///          beside. By position: the losses of the sections and the viscous forces on the nodes, between two nodes of
-///          the vibration.
+/// ledger:  friction, material and viscous loss of the measured cycles; still air and the numerical part stand beside.
+///          By position: the losses of the sections and the viscous forces on the nodes, between two nodes of the
+///          vibration.
 /// The other ways see a whole vibration, as a laboratory does: they contain what the air takes.
 /// power:   force times velocity of the shaker, from their fundamentals and as the work of whole cycles.
 /// ISWR:    amplitudes at the first and the last node between shaker and far end, each over that of the antinode beside

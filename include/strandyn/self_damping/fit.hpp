@@ -2,6 +2,8 @@
 /// \file What the points of a study say together: the power law fitted to them, beside the published ones; and the
 /// amplitudes at which the first contact slips.
 
+#include <string_view>
+
 #include "strandyn/analysis/power_law.hpp"
 #include "strandyn/self_damping/quadrature.hpp"
 
@@ -41,6 +43,17 @@ void members(V& v, FitRow& f) {
 }
 
 FitRow fit_row(const std::vector<analysis::SelfDampingPoint>& points);
+
+/// What of a row is fitted [W/m]; nothing where it has none. What is lost in all has the air in it, as a laboratory
+/// sees.
+using PowerOf = std::optional<double> (*)(const PointRow&);
+std::optional<double> friction_of(const PointRow& row);
+std::optional<double> self_damping_of(const PointRow& row);
+std::optional<double> dissipation_of(const PointRow& row);
+/// The rows of the study's own method as points to fit; those of one grid where it is named.
+std::vector<analysis::SelfDampingPoint> points_to_fit(const casefile::Scene& scene, const std::vector<PointRow>& rows,
+                                                      PowerOf power, std::optional<std::string_view> grid = {});
+bool same_powers(const std::vector<analysis::SelfDampingPoint>& a, const std::vector<analysis::SelfDampingPoint>& b);
 
 /// A fit of the points in a band of amplitude over diameter.
 struct BandRow {

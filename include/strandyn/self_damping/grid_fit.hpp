@@ -6,8 +6,6 @@
 ///     l = d ln P/d ln A,   m = d ln P/d ln f,   n = -d ln P/d ln T
 /// Along f, a grid of antinode velocities changes A as well: its share l dlnA is taken out.
 
-#include <string_view>
-
 #include "strandyn/self_damping/fit.hpp"
 
 namespace strandyn::self_damping {
@@ -60,13 +58,8 @@ GridFits fit_grids(const casefile::Scene& scene, const std::vector<PointRow>& ro
 
 /// At every point that has a loss; absent where it has no neighbour along a variable.
 std::vector<LocalExponents> local_exponents(const std::vector<analysis::SelfDampingPoint>& points);
-/// The points of one grid by the study's method, with all that is lost.
-std::vector<analysis::SelfDampingPoint> all_that_is_lost(const casefile::Scene& scene,
-                                                         const std::vector<PointRow>& rows, std::string_view grid);
-/// How a row says which grid it belongs to.
-inline constexpr std::string_view velocity_grid = "velocity", amplitude_grid = "amplitude";
-
-/// What is beyond what laboratories run: antinode velocity, amplitude, wavelength.
+/// What is beyond what laboratories run, or the formulas hold for: antinode velocity, amplitude, attached flow,
+/// wavelength.
 std::vector<std::string> warnings_of_points(const casefile::Scene& scene, const std::vector<PointRow>& rows);
 
 }  // namespace strandyn::self_damping

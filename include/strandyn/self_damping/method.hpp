@@ -18,13 +18,17 @@
 
 namespace strandyn::self_damping {
 
+/// The grids of a study, by what gave their amplitudes.
+inline constexpr const char* velocity_grid = "velocity";
+inline constexpr const char* amplitude_grid = "amplitude";
+
 struct Point {
   casefile::DampingMethod method = casefile::DampingMethod::quadrature;
   double frequency = 0;           ///< [Hz]
   double antinode_amplitude = 0;  ///< [m] half of peak to peak
   double tension = 0;             ///< [N]
   std::optional<int> mode{};      ///< where the case named the frequency by a mode of the span, from 1
-  const char* grid = nullptr;     ///< what its amplitude came from: "velocity", "amplitude"; null for a single point
+  const char* grid = nullptr;     ///< one of these two; null for a single point
 
   build::PointAsk ask() const { return {.frequency = frequency, .tension = tension, .mode = mode}; }
 };

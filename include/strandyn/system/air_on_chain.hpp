@@ -2,7 +2,7 @@
 /// \file Still air on the nodes of a chain. A node stands for half of the elements beside it, and only its velocity
 /// across the axis of the reference configuration counts:
 ///     F = l (linear + quadratic |w| + cubic w^2) w,   w = v - (v . t) t
-/// The force is never along the velocity: it takes energy in every motion.
+/// The force is against the velocity: it takes energy in every motion.
 
 #include <Eigen/Dense>
 #include <vector>

@@ -123,10 +123,11 @@ BalanceEvaluation HarmonicBalance::evaluate(const PeriodicPoint& point) const {
   at.loops = lead_around(*system_.model().law, system_.history(), at.strains,
                          {.max_cycles = options_.max_cycles, .closure = options_.closure});
   add_material(point, at);
+  const std::vector<Field>& stresses = at.with_metal.empty() ? at.loops.stresses : at.with_metal;
   MatrixXd force(s.u.rows(), s.u.cols());
   Vector load = system_.make_vector();
   for (Index j = 0; j < force.cols(); ++j) {
-    system_.internal_force_of(at.stresses[static_cast<std::size_t>(j)], s.u.col(j).data(), force.col(j).data());
+    system_.internal_force_of(stresses[static_cast<std::size_t>(j)], s.u.col(j).data(), force.col(j).data());
     system_.external_force(at_rest, s.u.col(j).data(), load.data());
     force.col(j) -= load;
   }
@@ -233,7 +234,7 @@ void HarmonicBalance::account(const PeriodicPoint& point, const BalanceEvaluatio
 
   // Derivatives by angle of all harmonics that the samples hold, not only of those of the balance.
   const auto samples = static_cast<Index>(at.strains.size());
-  const Fourier full(static_cast<int>((samples - 1) / 2), static_cast<int>(samples));
+  const Fourier full = Fourier::of_all(samples);
   const MatrixXd to_rate = Fourier::derivative(full.projection().transpose()) * full.basis().transpose();
   const std::size_t points = at.strains.front().points();
   SectionLoss& loss = solution.sections;
@@ -242,17 +243,12 @@ void HarmonicBalance::account(const PeriodicPoint& point, const BalanceEvaluatio
           .quadrature_error = at.loops.quadrature_error,
           .material = {},
           .curvature_amplitude = std::vector<double>(points)};
-  MatrixXd strain(static_cast<Index>(points), samples), stress(strain);
   for (std::size_t c = 0; c < section::component_count; ++c) {
     const Component component{c};
     if (at.strains.front()[component].empty()) continue;
-    for (Index j = 0; j < samples; ++j) {
-      const auto sample = static_cast<std::size_t>(j);
-      strain.col(j) = Eigen::Map<const Vector>(at.strains[sample][component].data(), strain.rows());
-      stress.col(j) = Eigen::Map<const Vector>(at.loops.stresses[sample][component].data(), strain.rows());
-    }
     const double step = 2 * std::numbers::pi / static_cast<double>(samples);
-    const Vector work = step * stress.cwiseProduct(strain * to_rate).rowwise().sum();
+    const MatrixXd rate = samples_of(at.strains, component) * to_rate;
+    const Vector work = step * samples_of(at.loops.stresses, component).cwiseProduct(rate).rowwise().sum();
     for (std::size_t p = 0; p < points; ++p) loss.loop_work[p] += work(static_cast<Index>(p));
   }
   for (std::size_t p = 0; p < points; ++p) {

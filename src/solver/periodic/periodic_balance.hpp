@@ -36,7 +36,7 @@ using Closings = std::array<Closing, 2>;
 struct BalanceEvaluation {
   std::vector<section::Field> strains;  // per sample
   SectionLoops loops;
-  std::vector<section::Field> stresses;  // per sample: of the loops, and of the metal on top
+  std::vector<section::Field> with_metal;  // per sample: loops.stresses and the metal on top; empty without metal
   Eigen::MatrixXd force;     // [N], [N m] what the chain asks for, harmonics: at a moved support its reaction
   Eigen::MatrixXd residual;  // the same less the drive; of held unknowns: where they are less where they should be
 };
@@ -50,6 +50,9 @@ struct SectionModel {
   std::vector<Eigen::MatrixXd> extra;
   section::Effort effort = {};
 };
+
+/// One component of all section points, points by samples.
+Eigen::MatrixXd samples_of(const std::vector<section::Field>& fields, section::Component c);
 
 class HarmonicBalance {
  public:

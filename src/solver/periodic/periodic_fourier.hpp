@@ -23,6 +23,11 @@ class Fourier {
     projection_.row(0) /= 2;
   }
 
+  /// All harmonics that so many samples hold.
+  static Fourier of_all(Eigen::Index samples) {
+    return {static_cast<int>((samples - 1) / 2), static_cast<int>(samples)};
+  }
+
   int harmonics() const { return harmonics_; }
   Eigen::Index samples() const { return basis_.rows(); }
   Eigen::Index coefficients() const { return basis_.cols(); }

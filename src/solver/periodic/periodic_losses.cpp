@@ -21,10 +21,7 @@ air::AirForce air_at(const model::Model& model, double frequency) {
   return air::force_at(model.surroundings->air, model.surroundings->diameter, frequency);
 }
 
-/// All harmonics that the samples hold.
-Fourier all_harmonics(Index samples) {
-  return {static_cast<int>((samples - 1) / 2), static_cast<int>(samples)};
-}
+}  // namespace
 
 MatrixXd samples_of(const std::vector<Field>& fields, Component c) {
   MatrixXd samples(static_cast<Index>(fields.front().points()), static_cast<Index>(fields.size()));
@@ -33,8 +30,6 @@ MatrixXd samples_of(const std::vector<Field>& fields, Component c) {
   }
   return samples;
 }
-
-}  // namespace
 
 air::AirForce HarmonicBalance::linear_air(const PeriodicPoint& point, int k) const {
   return {.linear = air_at(system_.model(), k * point.omega / turn).linear};
@@ -48,11 +43,11 @@ air::AirForce HarmonicBalance::other_air(const PeriodicPoint& point) const {
 }
 
 void HarmonicBalance::add_material(const PeriodicPoint& point, BalanceEvaluation& at) const {
-  at.stresses = at.loops.stresses;
   const section::MaterialBranches& branches = system_.model().material;
   if (branches.empty()) return;
+  at.with_metal = at.loops.stresses;
   const auto samples = static_cast<Index>(at.strains.size());
-  const Fourier full = all_harmonics(samples);
+  const Fourier full = Fourier::of_all(samples);
   for (std::size_t component = 0; component < section::component_count; ++component) {
     const Component c{component};
     if (at.strains.front()[c].empty()) continue;
@@ -66,7 +61,7 @@ void HarmonicBalance::add_material(const PeriodicPoint& point, BalanceEvaluation
     const MatrixXd weights = full.projection().transpose() * answer.transpose() * full.basis().transpose();
     const MatrixXd stress = samples_of(at.strains, c) * weights;
     for (Index j = 0; j < samples; ++j) {
-      auto& sum = at.stresses[static_cast<std::size_t>(j)][c];
+      auto& sum = at.with_metal[static_cast<std::size_t>(j)][c];
       for (Index p = 0; p < stress.rows(); ++p) sum[static_cast<std::size_t>(p)] += stress(p, j);
     }
   }
@@ -105,7 +100,7 @@ void HarmonicBalance::account_for_material(const PeriodicPoint& point, const Bal
   solution.sections.material.assign(points, 0.0);
   const section::MaterialBranches& branches = system_.model().material;
   if (branches.empty()) return;
-  const Fourier full = all_harmonics(static_cast<Index>(at.strains.size()));
+  const Fourier full = Fourier::of_all(static_cast<Index>(at.strains.size()));
   for (std::size_t component = 0; component < section::component_count; ++component) {
     const Component c{component};
     if (at.strains.front()[c].empty()) continue;
