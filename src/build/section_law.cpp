@@ -10,6 +10,7 @@
 #include "strandyn/section/masing.hpp"
 #include "strandyn/section/multilinear.hpp"
 #include "strandyn/section/return_map.hpp"
+#include "strandyn/section/spatial_compliant.hpp"
 #include "strandyn/section/spatial_return_map.hpp"
 
 namespace strandyn::build {
@@ -79,11 +80,14 @@ Made return_map(const Request& r) {
 
 Made compliant(const Request& r) {
   const casefile::Section& s = r.scene.section;
-  const section::CompliantOptions options{
-      .points = s.points, .springs = s.contact_springs, .compliance_scale = s.compliance_scale};
+  const bool in_space = r.dimension == section::Dimension::spatial;
+  section::CompliantOptions options{.points = s.points, .compliance_scale = s.compliance_scale};
+  if (in_space) options.springs = section::springs_in_space;
+  options.springs = s.contact_springs.value_or(options.springs);
   if (const auto fault = section::find_fault(options)) {
     casefile::refuse(r.scene.source, "section.law", *fault, "change contact_springs or compliance_scale");
   }
+  if (in_space) return std::make_shared<section::SpatialCompliantLaw>(*r.strand, options);
   return std::make_shared<section::CompliantLaw>(*r.strand, options);
 }
 
@@ -101,7 +105,7 @@ constexpr LawRow laws[] = {{.law = casefile::Law::stick, .make = linear<&Section
                            {.law = casefile::Law::multilinear, .make = multilinear},
                            {.law = casefile::Law::masing, .make = masing, .bends_in_space = false},
                            {.law = casefile::Law::return_map, .make = return_map, .has_wires = true},
-                           {.law = casefile::Law::compliant, .make = compliant, .bends_in_space = false}};
+                           {.law = casefile::Law::compliant, .make = compliant}};
 static_assert(std::size(laws) == choices<casefile::Law>.size(), "one row for each word");
 
 const LawRow& row_of(casefile::Law law) {
@@ -119,7 +123,7 @@ std::shared_ptr<const section::Law> build_law(const casefile::Scene& scene, sect
   const LawRow& row = row_of(scene.section.law);
   if (!row.bends_in_space && dimension == section::Dimension::spatial) {
     casefile::refuse(scene.source, "section.law", fmt::format("\"{}\" bends in one plane only", name_of(row.law)),
-                     "use return-map for twist or for bending about two axes");
+                     "use return-map or compliant for twist or for bending about two axes");
   }
   if (!strand && scene.conductor) strand = &scene.conductor->strand;
   return row.make({.scene = scene, .dimension = dimension, .strand = strand});

@@ -2,6 +2,7 @@
 /// \file What kernels see of a batch: bare rows of doubles, padded to whole blocks.
 
 #include <algorithm>
+#include <array>
 
 #include "strandyn/section/law.hpp"
 
@@ -43,6 +44,36 @@ inline Response planar_view(Field& stresses, TangentField* tangents, double EA) 
   out.dM_dchi = (*tangents)(bending2, bending2).data();
   out.dM_deps = (*tangents)(bending2, axial).data();
   std::fill((*tangents)(axial, axial).begin(), (*tangents)(axial, axial).end(), EA);
+  return out;
+}
+
+/// Strains of a spatial batch.
+struct SpatialStrains {
+  std::size_t points = 0;
+  std::array<const double*, component_count> at{};
+};
+inline SpatialStrains spatial_view(const Field& strains) {
+  SpatialStrains all{.points = strains.points(), .at = {}};
+  for (std::size_t c = 0; c < component_count; ++c) all.at[c] = strains[Component{c}].data();
+  return all;
+}
+
+/// Resultants of a spatial batch.
+struct SpatialResponse {
+  std::array<double*, component_count> stress{};
+  bool tangent = false;  ///< asked for; else `stiffness` is empty
+  std::array<std::array<double*, component_count>, component_count> stiffness{};
+};
+inline SpatialResponse spatial_view(Field& stresses, TangentField* tangents) {
+  SpatialResponse out;
+  out.tangent = tangents != nullptr;
+  for (std::size_t row = 0; row < component_count; ++row) {
+    out.stress[row] = stresses[Component{row}].data();
+    if (!tangents) continue;
+    for (std::size_t column = 0; column < component_count; ++column) {
+      out.stiffness[row][column] = (*tangents)(Component{row}, Component{column}).data();
+    }
+  }
   return out;
 }
 

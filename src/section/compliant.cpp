@@ -14,7 +14,7 @@ namespace {
 
 /// Phases for the angles of a quarter turn. An angle sees the amplitude times its cosine and loses with the cube of it:
 /// the springs of all angles, seen from the amplitude, are spread evenly over the grading, each by its part in the
-/// loss.
+/// loss. The other half turn has them half a ratio further on.
 std::vector<double> phases_of(const std::vector<double>& cosine, double ratio) {
   double total = 0;
   for (double c : cosine) total += c * c * c;
@@ -52,41 +52,47 @@ std::optional<std::string> find_fault(const CompliantOptions& o) {
   return std::nullopt;
 }
 
-CompliantLaw::CompliantLaw(const conductor::Strand& strand, const CompliantOptions& options) {
-  c_.planar = planar_coefficients(strand, options.points);
-  c_.springs = static_cast<std::size_t>(options.springs);
-  c_.compliance_scale = options.compliance_scale;
+CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, const CompliantOptions& options) {
+  CompliantCoefficients c;
+  c.planar = planar_coefficients(strand, options.points);
+  c.springs = static_cast<std::size_t>(options.springs);
+  c.compliance_scale = options.compliance_scale;
   const std::vector<conductor::Interface> faces = conductor::interfaces(strand);
   conductor::ChainPlan plan{.springs = options.springs, .smallest_slip = options.smallest_slip};
-  const std::vector<double> phases = phases_of(c_.planar.cosine, conductor::grading_ratio(plan));
+  std::vector<double> phases(c.planar.cosine.size(), 0.5);
+  if (options.shifted_chains) phases = phases_of(c.planar.cosine, conductor::grading_ratio(plan));
   const std::vector<conductor::ContactForces> usual =
       conductor::contact_forces(strand, conductor::axial_wire_forces(strand, usual_strain, 0));
 
-  for (std::size_t i = 0; i < c_.planar.layers.size(); ++i) {
+  for (std::size_t i = 0; i < c.planar.layers.size(); ++i) {
     const std::size_t j = strand.layers.size() - 1 - i;
     const conductor::Layer& wire = strand.layers[j];
-    const PlanarCoefficients::Layer& p = c_.planar.layers[i];
+    const PlanarCoefficients::Layer& p = c.planar.layers[i];
     const double turns = std::max(std::abs(std::sin(wire.lay_angle)), 1e-9) / wire.helix_radius;
     CompliantCoefficients::Layer layer;
     layer.k_w = wire.EA_wire() * turns * turns;
+    layer.force_per_twist = wire.EA_wire() * wire.helix_radius * std::sin(wire.lay_angle) * std::cos(wire.lay_angle);
     layer.wires_per_length = wire.wires / std::cos(wire.lay_angle);
     layer.own_load = p.kappa * p.half_step;
     if (p.mu_int > 0) layer.own_load = std::min(layer.own_load, largest_feedback / p.mu_int);
     if (i > 0) {
-      CompliantCoefficients::Layer& outside = c_.layers.back();
+      CompliantCoefficients::Layer& outside = c.layers.back();
       const bool crossed = (wire.lay_angle < 0) != (strand.layers[j + 1].lay_angle < 0);
-      layer.load_of_outer = p.c_ext * p.next_layer_ratio * c_.planar.layers[i - 1].inverse_c_int;
+      layer.load_of_outer = p.c_ext * p.next_layer_ratio * c.planar.layers[i - 1].inverse_c_int;
       layer.traction_of_outer = crossed ? layer.load_of_outer : -layer.load_of_outer;
       outside.slip_of_inner = layer.traction_of_outer * layer.wires_per_length / outside.wires_per_length;
     }
     layer.face = faces[j];
     const conductor::SlipCurve curve = curve_of(layer.face, usual[j].f_int);
     for (double phase : phases) {
-      plan.phase = phase;
-      layer.chains.push_back(conductor::spring_chain(curve, plan));
+      for (double side : {0.0, options.shifted_chains ? 0.5 : 0.0}) {
+        plan.phase = phase + side - std::floor(phase + side);
+        layer.chains.push_back(conductor::spring_chain(curve, plan));
+      }
     }
-    c_.layers.push_back(std::move(layer));
+    c.layers.push_back(std::move(layer));
   }
+  return c;
 }
 
 namespace compliant_kernel {

@@ -16,8 +16,8 @@
 
 #include <array>
 
+#include "compliant_kernel.hpp"
 #include "lanes-inl.hpp"
-#include "strandyn/section/compliant.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::compliant_kernel {
@@ -138,17 +138,16 @@ struct Springs {
   }
 };
 
-HWY_INLINE Traction traction_of(const SpringChain& chain, const double* f, std::size_t other_side, const Sides& K_slip,
+/// `chains` of the two sides.
+HWY_INLINE Traction traction_of(const SpringChain* chains, const double* f, std::size_t other_side, const Sides& K_slip,
                                 const Sides& limit) {
   const V zero = hn::Zero(tag);
   const Sides reach = mul(limit, both(still_stuck));
   Springs t{zero, zero, zero};
   Springs c{zero, zero, zero};
-  for (std::size_t i = 0; i < chain.limit.size(); ++i, f += block_lanes) {
-    const V kappa = set(chain.stiffness[i]);
-    const V phi = set(chain.limit[i]);
-    t.add(kappa, phi, K_slip.t, reach.t, f);
-    c.add(kappa, phi, K_slip.c, reach.c, f + other_side);
+  for (std::size_t i = 0; i < chains[0].limit.size(); ++i, f += block_lanes) {
+    t.add(set(chains[0].stiffness[i]), set(chains[0].limit[i]), K_slip.t, reach.t, f);
+    c.add(set(chains[1].stiffness[i]), set(chains[1].limit[i]), K_slip.c, reach.c, f + other_side);
   }
   const Sides sliding{t.sliding, c.sliding};
   return {mul_add(limit, sliding, {t.held, c.held}), {t.holding, c.holding}, sliding};
@@ -159,7 +158,8 @@ struct Cell {
   std::size_t angle;        // of a quarter turn
   const double* springs;    // committed: tension side before compression, per interface its traction and its springs
   const double* stiffness;  // [interface] K, rows of lanes
-  V e_step;                 // [1/m] what the angle sees of the curvature's step
+  Sides e_step;             // [1/m] what the angle sees of the curvature's step
+  Sides e_last;             // [1/m] and of the last committed one
 };
 
 /// The unknowns of a cell and what belongs to them. `load` is given: the load of the inner contact without the cell's
@@ -180,20 +180,22 @@ struct Wires {
         handed(layers),
         step(layers),
         base(layers),
-        work(layers) {}
+        inverse(layers),
+        by_inner(layers),
+        load_by_slip(layers) {}
 
-  PerLayer load;                // [N/m]
-  PerLayer demand;              // [N/m] gradient were no wire to slip in this step
-  PerLayer slip;                // [m] u of the step
-  PerLayer across;              // [m] w of the step
-  PerLayer limit, traction, q;  // [N/m]
-  PerLayer residual;            // [N/m] q + k_w u - demand
-  PerLayer elastic;             // dT/dw
-  PerLayer holding;             // [-] elastic over K
-  PerLayer follow;              // dT/df
-  PerLayer handed;              // df of the next layer inward by that of this one
-  PerLayer step, base;          // Newton's, and the slips from which it goes
-  PerLayer work;
+  PerLayer load;                             // [N/m]
+  PerLayer demand;                           // [N/m] gradient were no wire to slip in this step
+  PerLayer slip;                             // [m] u of the step
+  PerLayer across;                           // [m] w of the step
+  PerLayer limit, traction, q;               // [N/m]
+  PerLayer residual;                         // [N/m] q + k_w u - demand
+  PerLayer elastic;                          // dT/dw
+  PerLayer holding;                          // [-] elastic over K
+  PerLayer follow;                           // dT/df
+  PerLayer handed;                           // df of the next layer inward by that of this one
+  PerLayer step, base;                       // Newton's, and the slips from which it goes
+  PerLayer inverse, by_inner, load_by_slip;  // of the elimination
 };
 
 /// kappa dS/2 as either side has it.
@@ -205,7 +207,7 @@ HWY_INLINE Sides own_load(const Layer& layer) {
 HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
   const Sides zero = both(0);
   const std::size_t layers = c.layers.size();
-  const std::size_t rows = (c.springs + 1) * block_lanes;
+  const std::size_t rows = rows_of_interface(c) * block_lanes;
   SideMasks open{hn::Lt(zero.t, zero.t), hn::Lt(zero.t, zero.t)};
   Sides outside = zero;  // T of the layer outside, its limit, its load
   Sides limit_outside = zero;
@@ -224,8 +226,8 @@ HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, W
     const Sides mu = both(c.planar.layers[i].mu_int);
     const Sides limit = mul(mu, load);
     const Sides K = both(hn::Load(tag, cell.stiffness + i * block_lanes));
-    const Traction t = traction_of(layer.chains[cell.angle], cell.springs + i * rows + block_lanes, layers * rows,
-                                   mul(K, across), limit);
+    const Traction t = traction_of(&layer.chains[2 * cell.angle], cell.springs + i * rows + first_spring * block_lanes,
+                                   layers * rows, mul(K, across), limit);
     const Sides q = mul_add(both(layer.traction_of_outer), outside, t.sum);
     const Sides residual = sub(q, wanted);
     Sides size = mul_add(both(layer.load_of_outer), limit_outside, limit);
@@ -248,50 +250,51 @@ HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, W
   return {hn::Not(open.t), hn::Not(open.c)};
 }
 
-/// The linear system of a cell: slips `out` whose residuals change by `rhs`, for some right-hand sides at once.
-/// Eliminated from the outermost layer inward; what the layer outside does is a line in the slip of the layer at hand.
-template <std::size_t kColumns>
-HWY_INLINE void eliminate(const CompliantCoefficients& c, Wires& w, const std::array<const PerLayer*, kColumns>& rhs,
-                          const std::array<PerLayer*, kColumns>& out) {
+/// The linear system of a cell: slips `out` whose residuals change by `rhs`. Eliminated from the outermost layer
+/// inward; what the layer outside does is a line in the slip of the layer at hand.
+HWY_INLINE void eliminate(const CompliantCoefficients& c, Wires& w) {
   const std::size_t layers = c.layers.size();
   const Sides zero = both(0);
   Sides traction_by_slip = zero;  // of the interface outside
   Sides load_by_slip = zero;      // handed by it
-  Sides traction[kColumns];
-  Sides load[kColumns];
-  for (std::size_t r = 0; r < kColumns; ++r) traction[r] = load[r] = zero;
   for (std::size_t i = 0; i < layers; ++i) {
     const Layer& layer = c.layers[i];
     const Sides elastic = w.elastic[i];
     const Sides follow = w.follow[i];
-    const Sides a = both(layer.traction_of_outer);
     const Sides k_w = both(layer.k_w);
     const Sides to_inner = both(layer.slip_of_inner);
     const Sides by_slip = neg_mul_add(own_load(layer), k_w, load_by_slip);
     const Sides own = mul_add(follow, by_slip, add(elastic, k_w));
-    const Sides inverse = div(both(1), mul_add(a, traction_by_slip, own));
+    const Sides inverse = div(both(1), mul_add(both(layer.traction_of_outer), traction_by_slip, own));
     const Sides by_inner = mul(mul(elastic, to_inner), inverse);  // less, per slip of the next layer
     const Sides own_load_by_slip = neg(mul(by_slip, by_inner));
-    w.work.set(i, by_inner);
+    w.inverse.set(i, inverse);
+    w.by_inner.set(i, by_inner);
+    w.load_by_slip.set(i, by_slip);
     traction_by_slip = mul_add(elastic, sub(to_inner, by_inner), mul(follow, own_load_by_slip));
-    const bool last = i + 1 == layers;
-    const Sides handed = last ? zero : w.handed[i];
-    load_by_slip = mul(handed, own_load_by_slip);
-    for (std::size_t r = 0; r < kColumns; ++r) {
-      const Sides known = neg_mul_add(follow, load[r], neg_mul_add(a, traction[r], (*rhs[r])[i]));
-      const Sides slip = mul(known, inverse);
-      out[r]->set(i, slip);
-      const Sides load_here = mul_add(by_slip, slip, load[r]);
-      traction[r] = mul_add(elastic, slip, mul(follow, load_here));
-      load[r] = mul(handed, load_here);
-    }
+    if (i + 1 < layers) load_by_slip = mul(w.handed[i], own_load_by_slip);
   }
-  for (std::size_t r = 0; r < kColumns; ++r) {
-    Sides inner = (*out[r])[layers - 1];
-    for (std::size_t i = layers - 1; i-- > 0;) {
-      inner = neg_mul_add(w.work[i], inner, (*out[r])[i]);
-      out[r]->set(i, inner);
-    }
+}
+
+HWY_INLINE void substitute(const CompliantCoefficients& c, const Wires& w, const PerLayer& rhs, PerLayer& out) {
+  const std::size_t layers = c.layers.size();
+  Sides traction = both(0);
+  Sides load = both(0);
+  for (std::size_t i = 0; i < layers; ++i) {
+    const Sides follow = w.follow[i];
+    const Sides a = both(c.layers[i].traction_of_outer);
+    const Sides known = neg_mul_add(follow, load, neg_mul_add(a, traction, rhs[i]));
+    const Sides slip = mul(known, w.inverse[i]);
+    out.set(i, slip);
+    if (i + 1 == layers) break;
+    const Sides load_here = mul_add(w.load_by_slip[i], slip, load);
+    traction = mul_add(w.elastic[i], slip, mul(follow, load_here));
+    load = mul(w.handed[i], load_here);
+  }
+  Sides inner = out[layers - 1];
+  for (std::size_t i = layers - 1; i-- > 0;) {
+    inner = neg_mul_add(w.by_inner[i], inner, out[i]);
+    out.set(i, inner);
   }
 }
 
@@ -341,27 +344,43 @@ struct LineSearch {
   }
 };
 
-/// Solves a cell. The potential of its springs is convex with a piecewise linear slope: Newton's method.
-HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
-  const Sides zero = both(0);
+/// What the cell is given: the gradients, were no wire to slip in this step.
+HWY_INLINE void begin(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
   const std::size_t layers = c.layers.size();
-  const std::size_t rows = (c.springs + 1) * block_lanes;
-  // Were all springs stuck, the slips would be these.
-  Sides outside = zero;
+  const std::size_t rows = rows_of_interface(c) * block_lanes;
+  Sides outside = both(0);
   for (std::size_t i = 0; i < layers; ++i) {
     const double* at = cell.springs + i * rows;
     const Sides traction{hn::Load(tag, at), hn::Load(tag, at + layers * rows)};
     const Sides before = mul_add(both(c.layers[i].traction_of_outer), outside, traction);
-    const Sides step = both(hn::Mul(set(c.planar.layers[i].k), cell.e_step));
+    const Sides step = mul(both(c.planar.layers[i].k), cell.e_step);
     w.demand.set(i, add(step, before));
     w.residual.set(i, step);
-    w.elastic.set(i, both(hn::Load(tag, cell.stiffness + i * block_lanes)));
-    w.follow.set(i, zero);
-    w.handed.set(i, zero);
     outside = traction;
   }
-  eliminate<1>(c, w, {&w.residual}, {&w.slip});
+}
 
+/// A first guess: where curvature goes on as in the last step, the same springs slide; where it turns back, none does.
+HWY_INLINE void guess(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
+  const std::size_t rows = rows_of_interface(c) * block_lanes;
+  const SideMasks goes_on = above(mul(cell.e_step, cell.e_last), both(0));
+  for (std::size_t i = 0; i < c.layers.size(); ++i) {
+    const double* held = cell.springs + i * rows + holding * block_lanes;
+    const Sides before{hn::Load(tag, held), hn::Load(tag, held + c.layers.size() * rows)};
+    const Sides K = both(hn::Load(tag, cell.stiffness + i * block_lanes));
+    w.elastic.set(i, mul(K, choose(goes_on, before, both(1))));
+    w.follow.set(i, both(0));
+    w.handed.set(i, both(0));
+  }
+  eliminate(c, w);
+  substitute(c, w, w.residual, w.slip);
+}
+
+/// Solves a cell from the slips at hand. The potential of its springs is convex with a piecewise linear slope: Newton's
+/// method.
+HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
+  const Sides zero = both(0);
+  const std::size_t layers = c.layers.size();
   LineSearch search = LineSearch::begin();
   for (int round = 0;; ++round) {
     const SideMasks done = balance(c, cell, w);
@@ -369,7 +388,8 @@ HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, Wires& w
     SideMasks again{hn::Lt(zero.t, zero.t), hn::Lt(zero.t, zero.t)};
     if (round > 0) again = search.retry(slope_along_step(c, w), done);
     if (!all_true(one_of(again, done))) {
-      eliminate<1>(c, w, {&w.residual}, {&w.across});
+      eliminate(c, w);
+      substitute(c, w, w.residual, w.across);
       for (std::size_t i = 0; i < layers; ++i) {
         w.base.set(i, choose(again, w.base[i], w.slip[i]));
         w.step.set(i, choose(again, w.step[i], neg(w.across[i])));

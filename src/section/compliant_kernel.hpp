@@ -11,16 +11,23 @@ using kernel::Response;
 using kernel::Strains;
 
 /// Layout of a block of the history: these rows of `block_lanes` doubles, a row of stiffness per interface,
-/// outermost first, then per midpoint, tension side before compression side, per interface its traction and the forces
-/// of its springs.
+/// outermost first, then per midpoint, tension side before compression side, per interface the rows of `InterfaceRow`.
 enum Row : std::size_t {
   committed_chi,  ///< [1/m]
+  last_step,      ///< [1/m] of the curvature at the last commit
   peak_strain,    ///< [-] the largest committed axial strain
   stiffness       ///< [N/m^2] of the interfaces at that strain
 };
 
+/// Of one interface at one midpoint: its traction [N/m], the part of its stiffness that held at the last commit, the
+/// forces of its springs [N/m].
+enum InterfaceRow : std::size_t { traction, holding, first_spring };
+
+inline std::size_t rows_of_interface(const CompliantCoefficients& c) {
+  return first_spring + c.springs;
+}
 inline std::size_t rows_of_cell(const CompliantCoefficients& c) {
-  return c.layers.size() * (c.springs + 1);
+  return c.layers.size() * rows_of_interface(c);
 }
 inline std::size_t first_cell(const CompliantCoefficients& c) {
   return stiffness + c.layers.size();

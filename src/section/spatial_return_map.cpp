@@ -12,16 +12,6 @@ namespace strandyn::section {
 
 using enum Component;
 
-namespace {
-
-spatial_kernel::Strains view(const Field& strains) {
-  spatial_kernel::Strains all{.points = strains.points(), .at = {}};
-  for (std::size_t c = 0; c < component_count; ++c) all.at[c] = strains[Component{c}].data();
-  return all;
-}
-
-}  // namespace
-
 SpatialCoefficients spatial_coefficients(const conductor::Strand& strand, const SpatialReturnMapOptions& options) {
   const conductor::SectionConstants constants = conductor::section_constants(strand);
   const std::vector<conductor::ContactGeometry> contact = conductor::contact_geometry(strand);
@@ -83,22 +73,14 @@ History SpatialReturnMap::start(const Field& strains) const {
 
 Effort SpatialReturnMap::respond(const History& history, const Field& strains, Field& stresses,
                                  TangentField* tangents) const {
-  spatial_kernel::Response response;
-  for (std::size_t row = 0; row < component_count; ++row) {
-    response.stress[row] = stresses[Component{row}].data();
-    if (!tangents) continue;
-    for (std::size_t column = 0; column < component_count; ++column) {
-      response.stiffness[row][column] = (*tangents)(Component{row}, Component{column}).data();
-    }
-  }
-  response.tangent = tangents != nullptr;
   return {.evaluations = strains.points(),
-          .sweeps = spatial_kernel::respond(c_, history.data.data(), view(strains), response)};
+          .sweeps = spatial_kernel::respond(c_, history.data.data(), kernel::spatial_view(strains),
+                                            kernel::spatial_view(stresses, tangents))};
 }
 
 Effort SpatialReturnMap::commit(History& history, const Field& strains, StepEnergy& energy) const {
   return {.evaluations = strains.points(),
-          .sweeps = spatial_kernel::commit(c_, history.data.data(), view(strains), kernel::view(energy))};
+          .sweeps = spatial_kernel::commit(c_, history.data.data(), kernel::spatial_view(strains), kernel::view(energy))};
 }
 
 }  // namespace strandyn::section

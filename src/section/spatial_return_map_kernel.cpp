@@ -62,14 +62,6 @@ HWY_INLINE Resultants march(const SpatialCoefficients& c, const double* layers, 
   return sum;
 }
 
-/// Derivatives of the neutral angle, in cells, by chi2 and chi3.
-HWY_INLINE std::array<V, 2> neutral_by_curvature(const SpatialCoefficients& c, V chi2, V chi3) {
-  const V square = hn::MulAdd(chi2, chi2, hn::Mul(chi3, chi3));
-  const Mask defined = hn::Ge(square, set(1e-24));
-  const V factor = hn::IfThenElseZero(defined, hn::Div(set(1 / c.dtheta), hn::IfThenElse(defined, square, set(1))));
-  return {hn::Neg(hn::Mul(chi3, factor)), hn::Mul(chi2, factor)};
-}
-
 template <bool kTangent>
 std::size_t respond_all(const SpatialCoefficients& c, const double* history, const Strains& strains,
                         const Response& out) {
@@ -95,8 +87,8 @@ std::size_t respond_all(const SpatialCoefficients& c, const double* history, con
     std::array<Resultants, component_count> tangent;
     for (Resultants& r : tangent) r = {zero, zero, zero, zero};
     if (!hn::AllTrue(tag, stuck)) {
-      bending.neutral = neutral_cell(c, chi2, chi3, row[neutral]);
-      const std::array<V, 2> neutral_by_chi = neutral_by_curvature(c, chi2, chi3);
+      bending.neutral = neutral_cell(c.points, chi2, chi3, row[neutral]);
+      const std::array<V, 2> neutral_by_chi = neutral_by_curvature(c.points, chi2, chi3);
       Resultants f_int{zero, zero, zero, zero};
       const auto differentiate = [&](const Solved& l) HWY_ATTR {
         if constexpr (kTangent) {
@@ -196,7 +188,7 @@ std::size_t commit_all(const SpatialCoefficients& c, double* history, const Stra
     const V chi2 = p[Component::bending2];
     const V chi3 = p[Component::bending3];
     Bending bending{hn::Sub(chi2, row[reference_chi2]), hn::Sub(chi3, row[reference_chi3]), zero};
-    bending.neutral = neutral_cell(c, chi2, chi3, row[neutral]);
+    bending.neutral = neutral_cell(c.points, chi2, chi3, row[neutral]);
     const Mask stuck = hn::Or(sticks(c, row, p, bending), here.padding(strains.points));
 
     // Sticking from the reference on: the potential is a paraboloid, nothing is lost, the reference stays.
@@ -274,12 +266,7 @@ std::size_t commit_all(const SpatialCoefficients& c, double* history, const Stra
     hn::Store(chi2, tag, writable(committed_chi2));
     hn::Store(chi3, tag, writable(committed_chi3));
     hn::Store(bending.neutral, tag, writable(neutral));
-    const V eps = p[Component::axial];
-    const V twist = p[Component::torsion];
-    V linear = hn::Mul(set(c.EI_min), hn::MulAdd(chi2, chi2, hn::Mul(chi3, chi3)));
-    linear = hn::MulAdd(hn::Mul(set(c.EA), eps), eps, linear);
-    linear = hn::MulAdd(hn::MulAdd(set(2 * c.C_AT), eps, hn::Mul(set(c.GJ), twist)), twist, linear);
-    book(out, here, linear, stored, dissipated, quadrature_error);
+    book(out, here, twice_linear_energy(c, p), stored, dissipated, quadrature_error);
   }
   return marched;
 }

@@ -1,8 +1,6 @@
 #pragma once
 /// \file The march over full turns of one batch, compiled once per instruction set (spatial_return_map_kernel.cpp).
 
-#include <array>
-
 #include "batch_view.hpp"
 #include "strandyn/section/spatial_return_map.hpp"
 
@@ -52,17 +50,8 @@ inline std::size_t rows_of_block(const SpatialCoefficients& c) {
   return scalar_rows + c.layers.size() * rows_of_layer(c);
 }
 
-struct Strains {
-  std::size_t points = 0;
-  std::array<const double*, component_count> at{};
-};
-
-struct Response {
-  std::array<double*, component_count> stress{};
-  bool tangent = false;
-  std::array<std::array<double*, component_count>, component_count> stiffness{};
-};
-
+using Strains = kernel::SpatialStrains;
+using Response = kernel::SpatialResponse;
 using kernel::Energies;
 
 /// Both return the number of points that had to march.

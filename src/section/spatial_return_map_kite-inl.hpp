@@ -15,18 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::spatial_kernel {
 namespace HWY_NAMESPACE {
 
-/// The strains of one register of points.
-struct Point {
-  std::array<V, component_count> strain;
-  V operator[](Component c) const { return strain[static_cast<std::size_t>(c)]; }
-};
-
-HWY_INLINE Point point_at(const Strains& strains, Register at) {
-  Point p;
-  for (std::size_t c = 0; c < component_count; ++c) p.strain[c] = at.load(strains.at[c]);
-  return p;
-}
-
 /// True where no angle of the point can slip between the reference state and this one.
 HWY_INLINE Mask sticks(const SpatialCoefficients& c, const Rows& row, const Point& p, const Bending& b) {
   const V zero = hn::Zero(tag);

@@ -6,11 +6,10 @@
 #define STRANDYN_SPATIAL_MARCH_INL
 #endif
 
-#include <hwy/contrib/math/math-inl.h>
-
 #include <array>
 
 #include "contact_cascade-inl.hpp"
+#include "space-inl.hpp"
 #include "spatial_return_map_kernel.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,22 +26,6 @@ struct Bending {
   V d2, d3;
   V neutral;  // in cells, 0 to N/2
 };
-
-/// Neutral angle phi = atan(chi3/chi2), modulo half a turn, in cells; `kept` where the curvature is too small to tell.
-HWY_INLINE V neutral_cell(const SpatialCoefficients& c, V chi2, V chi3, V kept) {
-  constexpr double undefined_below = 1e-12;  // [1/m]
-  const V a2 = hn::Abs(chi2);
-  const V a3 = hn::Abs(chi3);
-  const Mask steep = hn::Gt(a3, a2);
-  const Mask defined = hn::Ge(hn::Max(a2, a3), set(undefined_below));
-  const V below = hn::IfThenElse(defined, hn::IfThenElse(steep, chi3, chi2), set(1));
-  const V angle = hn::Atan(tag, hn::Div(hn::IfThenElse(steep, hn::Neg(chi2), chi3), below));
-  const V half_turn = set(c.points / 2);
-  V cell = hn::MulAdd(angle, set(1 / c.dtheta), hn::IfThenElseZero(steep, set(c.points / 4)));
-  cell = hn::Add(cell, hn::IfThenElseZero(hn::Lt(cell, hn::Zero(tag)), half_turn));
-  cell = hn::Sub(cell, hn::IfThenElseZero(hn::Ge(cell, half_turn), half_turn));
-  return hn::IfThenElse(defined, cell, kept);
-}
 
 /// One cell: its gradient, with the limit's own force solved for. `base` is F_b at the cell's edge less mean(q) dS/2;
 /// F_b at the midpoint is base + q dS/2.
@@ -86,11 +69,6 @@ HWY_INLINE V follow_of(const Limits& limits, const Cell& cell) {
   const V up = hn::IfThenElseZero(hn::And(cell.above, cell.upper_closed), limits.upper_slope);
   const V down = hn::IfThenElseZero(hn::And(cell.below, cell.lower_closed), limits.lower_slope);
   return hn::Sub(up, down);
-}
-
-/// The share of cell `i` of a quarter that lies before the neutral plane, `cells` = neutral minus the quarter's start.
-HWY_INLINE V share_before(V cells, double i) {
-  return hn::Min(hn::Max(hn::Sub(cells, set(i)), hn::Zero(tag)), set(1));
 }
 
 /// Unknowns of a layer: F_b at the start of each quarter less mean(q) dS/2, and mean(q).

@@ -43,7 +43,7 @@ void keys(V& v, Spring& s) {
 struct Section {
   Law law = Law::return_map;
   int points = 36;                        ///< per turn of the lay
-  int contact_springs = 17;               ///< `compliant`: springs per contact
+  std::optional<int> contact_springs;     ///< `compliant`: springs per contact
   double compliance_scale = 1;            ///< [-] `compliant`
   bool axial_resultants = false;          ///< `return-map`: bending forces of the wires count in N and M1
   std::optional<double> EA;               ///< [N] this and the next three: laws `elastic` and `multilinear`
@@ -64,9 +64,10 @@ void keys(V& v, Section& s) {
            {.help = "whether the bending forces of the wires count in N and M1, the unsymmetric tangent (33)"});
   });
   v.when("law", s.law, {Law::compliant}, [&] {
-    v.number(
-        "contact_springs", s.contact_springs,
-        {.help = "the number of springs that stand for the slip curve of a contact", .at_least = 4, .at_most = 64});
+    v.number("contact_springs", s.contact_springs,
+             {.help = "the number of springs that stand for the slip curve of a contact (17, in space 24)",
+              .at_least = 4,
+              .at_most = 64});
     v.number("compliance_scale", s.compliance_scale,
              {.help = "the factor on the compliance of all contacts (1: Hertz; towards 0: return-map)", .above = 0});
   });

@@ -38,8 +38,7 @@
 /// dragged by the one outside it (README); mu = 0 gives EI_min and no loss; mu without bound is
 /// elastic, with less than EI_max by what the contacts give; EI_min and EI_max bound every tangent at constant limits.
 ///
-/// Every evaluation marches: some spring always slips. The spatial law would differ in e(theta) = cos(theta) chi2 +
-/// sin(theta) chi3 and in the closure of the force around the turn; chains and the equation of a cell stay.
+/// Every evaluation marches: some spring always slips. For bending about two axes: spatial_compliant.hpp.
 
 #include <optional>
 #include <string>
@@ -57,6 +56,9 @@ struct CompliantOptions {
   int springs = 17;             ///< of each contact, at least 4
   double smallest_slip = 3e-5;  ///< [-] of u_star: the loss is cubic above some four times this, and dies out below
   double compliance_scale = 1;  ///< [-] multiplies the compliance of every contact; > 0
+  /// Chains of the angles shifted against each other. If not, all angles have one chain: then turns of the grid are
+  /// exact in space, and the loss ripples by several per cent about the cube of a small amplitude.
+  bool shifted_chains = true;
 };
 
 /// What is wrong with the options, in words, or nothing.
@@ -69,10 +71,12 @@ struct CompliantCoefficients {
     double wires_per_length = 0;   ///< [-] n/cos a: length of its wires per length of strand
     double own_load = 0;           ///< [-] kappa dS/2: what a cell's own gradient adds to its load
     double load_of_outer = 0;      ///< [-] h: load handed in by the layer outside, per load of its inner contact
+    double force_per_twist = 0;    ///< [N m] in space: F_at = planar.force_per_strain eps + this chi1
     double traction_of_outer = 0;  ///< [-] a: h where the lays cross, -h where they are equal
     double slip_of_inner = 0;      ///< [-] c: what a slip of the layer inside adds to that of the interface
     conductor::Interface face;
-    std::vector<conductor::SpringChain> chains;  ///< one per midpoint of a quarter turn
+    /// Two per midpoint of a quarter turn: that of the first half turn, and that of the second.
+    std::vector<conductor::SpringChain> chains;
   };
   PlanarCoefficients planar;
   std::vector<Layer> layers;  ///< outermost first, like planar.layers
@@ -80,9 +84,13 @@ struct CompliantCoefficients {
   double compliance_scale = 1;
 };
 
+/// The same for the plane and for space.
+CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, const CompliantOptions& options);
+
 class CompliantLaw final : public Law {
  public:
-  explicit CompliantLaw(const conductor::Strand& strand, const CompliantOptions& options = {});
+  explicit CompliantLaw(const conductor::Strand& strand, const CompliantOptions& options = {})
+      : c_(compliant_coefficients(strand, options)) {}
 
   std::string_view name() const override { return "compliant"; }
   Dimension dimension() const override { return Dimension::planar; }
