@@ -22,7 +22,14 @@ double shortest_loop(const casefile::Scene& scene, double tension, double length
   if (scene.initial) consider_mode(scene.initial->velocity_mode);
   std::visit(
       [&](const auto& analysis) {
-        if constexpr (requires { analysis.highest_mode(); }) consider_mode(analysis.highest_mode());
+        if constexpr (requires { analysis.near_frequency; }) {
+          // Modes near a frequency: as many loops as it makes, and as many more as there are modes above it.
+          double loops = analysis.highest_mode();
+          if (analysis.near_frequency) loops += length / loop_length(scene, tension, *analysis.near_frequency);
+          shortest = std::min(shortest, length / loops);
+        } else if constexpr (requires { analysis.highest_mode(); }) {
+          consider_mode(analysis.highest_mode());
+        }
       },
       scene.analysis);
   return shortest;
@@ -53,7 +60,12 @@ std::vector<double> straight_positions(const casefile::Scene& scene, const Secti
                              .stations = stations(scene)};
   // Half of the length within which bending dies out at a clamp when all wires slip there.
   if (graded) built.end_size = options.end_size = 0.5 * std::sqrt(numbers.EI_min / built.tension);
-  constexpr double elements_per_loop = 10;
+  const double elements_per_loop = std::visit(
+      [](const auto& analysis) {
+        if constexpr (requires { analysis.elements_per_loop; }) return analysis.elements_per_loop;
+        return 10.0;
+      },
+      scene.analysis);
   options.elements =
       span.elements
           ? static_cast<std::size_t>(*span.elements)

@@ -84,7 +84,7 @@ void ChainMatrix::multiply(const double* x, double* y) const {
 }
 
 std::size_t negative_eigenvalues(const ChainMatrix& a) {
-  return with_block_size(a.block(), [&](auto B) {
+  const auto of_blocks = [&](auto B) {
     using Blocks = BlockTridiagonal<B()>;
     const Blocks& t = a.as<B()>();
     std::size_t count = 0;
@@ -96,7 +96,18 @@ std::size_t negative_eigenvalues(const ChainMatrix& a) {
       count += static_cast<std::size_t>((eigen.eigenvalues().array() < 0).count());
     }
     return count;
-  });
+  };
+  const std::size_t count = with_block_size(a.block(), of_blocks);
+  if (!a.update()) return count;
+  // A = T + s b b^T moves at most one eigenvalue across zero; the determinant det(T) (1 + row . T^-1 column) tells.
+  ChainMatrix blocks = a;
+  blocks.update().reset();
+  ChainFactors factors;
+  if (!factors.factorize(blocks)) return count;
+  Eigen::VectorXd solved = a.update()->column;
+  factors.solve(solved.data());
+  if (1 + a.update()->row.dot(solved) >= 0) return count;
+  return a.update()->row.dot(a.update()->column) > 0 ? count - 1 : count + 1;
 }
 
 bool ChainFactors::factorize(const ChainMatrix& a) {

@@ -30,10 +30,52 @@ system::Vector unit_antinode(const SpanAtRest& span, const solver::Mode& mode) {
   return mode.shape / places.largest(mode.shape.data());
 }
 
-std::vector<ModeRow> rows_of(const std::vector<solver::Mode>& modes) {
+namespace {
+
+/// Changes of sign along the chain and one. What is below a thousandth of the largest counts as nothing.
+int half_waves(const model::Model& model, const solver::Mode& mode) {
+  std::vector<double> along;
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    const Eigen::Matrix3d& triad = model.elements[std::min(node, model.elements.size() - 1)].triad;
+    const Eigen::Vector3d d = triad.transpose() * model.displacement(mode.shape.data(), node);
+    const auto twist = model.index(node, model::Unknown::rotation_x);
+    switch (mode.kind) {
+      case solver::ModeKind::axial:
+        along.push_back(d.x());
+        break;
+      case solver::ModeKind::in_plane:
+        along.push_back(d.y());
+        break;
+      case solver::ModeKind::out_of_plane:
+        along.push_back(d.z());
+        break;
+      case solver::ModeKind::torsional:
+        along.push_back(twist ? mode.shape(static_cast<Eigen::Index>(*twist)) : 0);
+        break;
+    }
+  }
+  double largest = 0;
+  for (double value : along) largest = std::max(largest, std::abs(value));
+  int count = 0;
+  double last = 0;
+  for (double value : along) {
+    if (std::abs(value) <= 1e-3 * largest) continue;
+    if (last == 0 || (value < 0) != (last < 0)) ++count;
+    last = value;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<ModeRow> rows_of(const SpanAtRest& span, const std::vector<solver::Mode>& modes) {
   std::vector<ModeRow> rows;
   for (const solver::Mode& mode : modes) {
-    rows.push_back({.frequency = mode.frequency, .kind = name_of(mode.kind), .modal_mass = mode.modal_mass});
+    rows.push_back({.number = mode.number,
+                    .frequency = mode.frequency,
+                    .half_waves = half_waves(span.built.model, mode),
+                    .kind = name_of(mode.kind),
+                    .modal_mass = mode.modal_mass});
   }
   return rows;
 }

@@ -67,19 +67,21 @@ class Modes final : public Analysis {
                            span.system, span.u,
                            {.count = static_cast<std::size_t>(keys.count), .near = keys.near_frequency.value_or(0)});
     for (const solver::Mode& mode : modes) summary.frequencies.push_back(mode.frequency);
-    summary.modes = span::rows_of(modes);
-    outcome.tell(summary);
+    summary.modes = span::rows_of(span, modes);
     add_effort(span.system, outcome.cost);
     results::Table shapes = span::shapes_of(span, modes);
     add_figure(modes, outcome);
     outcome.tables.push_back({.file = "modes.csv", .table = std::move(shapes)});
-    results::Table list({"mode", "frequency_Hz", "modal_mass_kg"});
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-      list.append(std::array{static_cast<double>(i + 1), modes[i].frequency, modes[i].modal_mass});
+    results::Table list({"mode", "half_waves", "frequency_Hz", "modal_mass_kg"});
+    for (const span::ModeRow& mode : summary.modes) {
+      list.append(std::array{static_cast<double>(mode.number), static_cast<double>(mode.half_waves), mode.frequency,
+                             mode.modal_mass});
     }
     outcome.tables.push_back({.file = "frequencies.csv", .table = std::move(list)});
-    outcome.shown.push_back(
-        {.title = "Natural frequencies", .table = "frequencies.csv", .columns = {"mode", "frequency_Hz"}});
+    outcome.tell(summary);
+    outcome.shown.push_back({.title = "Natural frequencies",
+                             .table = "frequencies.csv",
+                             .columns = {"mode", "half_waves", "frequency_Hz"}});
   }
 
  private:

@@ -87,8 +87,7 @@ class ChainMatrix {
   std::optional<RankOne> update_;
 };
 
-/// How many eigenvalues of a symmetric matrix are negative, by the inertia of its pivot blocks (Haynsworth). The update
-/// is left out of it.
+/// How many eigenvalues of a symmetric matrix are negative, by the inertia of its pivot blocks (Haynsworth).
 std::size_t negative_eigenvalues(const ChainMatrix& a);
 
 /// The factors of a ChainMatrix. Keeps its storage from one factorization to the next.

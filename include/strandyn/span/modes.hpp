@@ -25,17 +25,23 @@ system::Vector unit_antinode(const SpanAtRest& span, const solver::Mode& mode);
 
 /// What a `modes` analysis tells of one mode.
 struct ModeRow {
-  double frequency = 0;   ///< [Hz]
+  std::size_t number = 0;  ///< from 1, among those that are counted
+  double frequency = 0;    ///< [Hz]
+  int half_waves = 0;
   std::string kind;       ///< "in-plane", ...
   double modal_mass = 0;  ///< [kg] ([kg m^2])
 };
 template <class V>
 void members(V& v, ModeRow& m) {
+  v.value("number", m.number,
+          {.what = "its place from the lowest mode up: among those across the span in its plane, or among all where "
+                   "modes near a frequency, of a span in space or of a frame are asked for"});
   v.value("frequency_Hz", m.frequency, {.what = "the natural frequency"});
+  v.value("half_waves", m.half_waves, {.what = "half-waves along the span"});
   v.value("kind", m.kind, {.what = "in-plane, out-of-plane, axial or torsional"});
   v.value("modal_mass_kg", m.modal_mass, {.what = "the modal mass of a shape that is 1 where it is largest"});
 }
-std::vector<ModeRow> rows_of(const std::vector<solver::Mode>& modes);
+std::vector<ModeRow> rows_of(const SpanAtRest& span, const std::vector<solver::Mode>& modes);
 /// Shapes of all modes, one row per node: displacements along x, y, z where the chain has them.
 results::Table shapes_of(const SpanAtRest& span, const std::vector<solver::Mode>& modes);
 

@@ -115,13 +115,67 @@ std::vector<RawMode> nearest(ShiftedInverse& inverse, MassProduct& mass, const S
   return modes;
 }
 
-void keep_nearest(std::vector<RawMode>& modes, std::size_t count, double shift) {
-  std::stable_sort(modes.begin(), modes.end(), [&](const RawMode& a, const RawMode& b) {
-    return std::abs(a.eigenvalue - shift) < std::abs(b.eigenvalue - shift);
-  });
+/// [1/s] away from omega; an unstable mode counts as one of no frequency.
+double distance(const RawMode& mode, double omega) {
+  return std::abs(std::sqrt(std::max(0.0, mode.eigenvalue)) - omega);
+}
+
+void keep_nearest(std::vector<RawMode>& modes, std::size_t count, double omega) {
+  std::stable_sort(modes.begin(), modes.end(),
+                   [&](const RawMode& a, const RawMode& b) { return distance(a, omega) < distance(b, omega); });
   modes.resize(std::min(count, modes.size()));
   std::stable_sort(modes.begin(), modes.end(),
                    [](const RawMode& a, const RawMode& b) { return a.eigenvalue < b.eigenvalue; });
+}
+
+/// Modes nearest to omega; the solver looks for those nearest in the square, which lean towards the lower ones.
+std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Matrix& M, double omega,
+                                std::size_t count) {
+  // A shift that meets an eigenvalue to many digits makes its mode drown all others.
+  constexpr double aside = 1e-4;
+  const double shift = std::pow(omega * (1 + aside), 2);
+  const std::size_t with_mass = unknowns_with_mass(system);
+  const bool in_pairs = model::is_spatial(system.model().freedom);
+  MassProduct mass(M);
+  for (std::size_t asked = omega > 0 ? count + 2 : count;; asked += asked / 2 + 2) {
+    asked = std::min(asked, with_mass - 1);
+    ShiftedInverse inverse(K, M);
+    const Search search{.wanted = static_cast<Eigen::Index>(asked),
+                        .independent = static_cast<Eigen::Index>(with_mass),
+                        .shift = shift};
+    std::vector<RawMode> raw = nearest(inverse, mass, search);
+    double reach = 0;  // in the square: what is nearer has been found
+    for (const RawMode& mode : raw) reach = std::max(reach, std::abs(mode.eigenvalue - shift));
+    if (in_pairs && 2 * asked < with_mass) {
+      // One Krylov space need not hold both of two modes of equal frequency: look once more beside what was found.
+      inverse.leave_out(raw);
+      Search again = search;
+      again.independent -= search.wanted;
+      for (RawMode& mode : nearest(inverse, mass, again)) raw.push_back(std::move(mode));
+      keep_nearest(raw, asked + 1, omega);  // one more, lest a pair is cut in two
+      separate_planes(system.model(), M, raw);
+    }
+    keep_nearest(raw, count, omega);
+    double farthest = 0;
+    for (const RawMode& mode : raw) farthest = std::max(farthest, distance(mode, omega));
+    if (omega == 0 || asked + 1 >= with_mass || std::pow(omega + farthest, 2) - shift <= reach) return raw;
+  }
+}
+
+/// Places of modes that ascend, by what the matrix K - sigma M has of negative eigenvalues just below each.
+void number(const Matrix& K, const Matrix& M, const std::vector<RawMode>& raw, std::vector<Mode>& modes) {
+  constexpr double below = 1e-7;  // relative: two of equal frequency share a place to count from
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (i > 0 && raw[i].eigenvalue - raw[first].eigenvalue <= below * std::abs(raw[i].eigenvalue)) {
+      modes[i].number = modes[first].number + i - first;
+      continue;
+    }
+    first = i;
+    Matrix shifted = K;
+    shifted.add(-raw[i].eigenvalue * (1 - below), M);
+    modes[i].number = math::negative_eigenvalues(shifted) + 1;
+  }
 }
 
 }  // namespace
@@ -144,25 +198,8 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
                     "give more [span] elements",
                     options.count, with_mass));
   }
-  ShiftedInverse inverse(K, M);
-  MassProduct mass(M);
-  // A shift that meets an eigenvalue to many digits makes its mode drown all others.
-  constexpr double aside = 1e-4;
-  const double shift = std::pow(2 * std::numbers::pi * options.near * (1 + aside), 2);
-  const Search search{.wanted = static_cast<Eigen::Index>(options.count),
-                      .independent = static_cast<Eigen::Index>(with_mass),
-                      .shift = shift};
-  std::vector<RawMode> raw = nearest(inverse, mass, search);
-  if (model::is_spatial(system.model().freedom) && 2 * options.count < with_mass) {
-    // One Krylov space need not hold both of two modes of equal frequency: look once more beside what was found.
-    inverse.leave_out(raw);
-    Search again = search;
-    again.independent -= search.wanted;
-    for (RawMode& mode : nearest(inverse, mass, again)) raw.push_back(std::move(mode));
-    keep_nearest(raw, options.count + 1, shift);  // one more, lest a pair is cut in two
-    separate_planes(system.model(), M, raw);
-    keep_nearest(raw, options.count, shift);
-  }
+  const double omega = 2 * std::numbers::pi * options.near;
+  std::vector<RawMode> raw = nearest_to(system, K, M, omega, options.count);
   std::vector<Mode> modes;
   for (const RawMode& mode : raw) {
     if (mode.eigenvalue < 0) {
@@ -173,6 +210,7 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
     }
     modes.push_back(describe(system.model(), M, mode));
   }
+  number(K, M, raw, modes);
   return modes;
 }
 
@@ -187,6 +225,7 @@ std::vector<Mode> transverse_modes(const System& system, const Vector& u, std::s
     std::erase_if(modes, [](const Mode& mode) { return mode.kind != ModeKind::in_plane; });
     if (modes.size() >= count) {
       modes.resize(count);
+      for (std::size_t i = 0; i < count; ++i) modes[i].number = i + 1;
       return modes;
     }
     if (asked + 1 >= with_mass) {

@@ -17,7 +17,8 @@ enum class ModeKind { axial, in_plane, out_of_plane, torsional };
 const char* name_of(ModeKind kind);  ///< "in-plane"
 
 struct Mode {
-  double frequency = 0;  ///< [Hz]
+  double frequency = 0;    ///< [Hz]
+  std::size_t number = 0;  ///< place among all modes of the chain, from 1
   ModeKind kind = ModeKind::in_plane;
   system::Vector shape;   ///< all unknowns; scaled to 1 m (or 1 rad, a torsional one) where it is largest
   double modal_mass = 0;  ///< [kg] ([kg m^2]) of that scaling
@@ -25,7 +26,7 @@ struct Mode {
 
 struct ModeOptions {
   std::size_t count = 1;
-  double near = 0;  ///< [Hz] the modes nearest to this frequency; 0: the lowest
+  double near = 0;  ///< [Hz] the modes whose frequencies are nearest to this one; 0: the lowest
 };
 
 /// Modes in ascending order. Throws ComputationError where the state is unstable or the solver stalls.
