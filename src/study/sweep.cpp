@@ -116,6 +116,13 @@ class Sweep final : public Analysis {
         keys_(scene.as<casefile::SweepAnalysis>()),
         built_(build::build_span(scene)),
         shaker_(build::find_shaker(scene, built_)) {
+    if (shaker_.size == 0) {
+      const build::ShakerKey key = build::shaker_of(scene);
+      refuse(scene.source,
+             key.load ? fmt::format("load[{}].amplitude_N", *key.load)
+                      : fmt::format("motion[{}].amplitude_mm", *key.motion),
+             "nothing drives the sweep", "give an amplitude above 0");
+    }
     check_plan(scene, built_, {});
   }
 

@@ -89,6 +89,20 @@ TEST_CASE("below first slip friction is exactly zero and modal damping is found 
   check_close(row["loss_factor"], 2e-3, {.relative = 0.05});
 }
 
+TEST_CASE("below first slip a vibration however small has an answer, until rounding drowns it, which is said") {
+  const auto point = [](const char* amplitude_over_diameter) {
+    return summary_of(span_and(study_of + "modes = 4\namplitude_over_diameter = " + amplitude_over_diameter +
+                               "\ntensions_rts = 0.2\n"))["points"][0];
+  };
+  for (const char* small : {"1e-4", "1e-7", "1e-9"}) {
+    const ordered_json row = point(small);
+    CHECK(!row.contains("failed"));
+    CHECK(row["self_damping_W_per_m"] == 0.0);
+  }
+  const std::string failed = point("1e-13")["failed"];
+  CHECK(failed.find("the amplitude drowns in the rounding of coordinates") != std::string::npos);
+}
+
 TEST_CASE("a force and a moving support lead the same span to the same loss") {
   const std::string point = study_of + "modes = 4\nantinode_amplitude_mm = 3\ntensions_rts = 0.2\n";
   const std::string push = "[[load]]\ntype = \"harmonic-force\"\nat_m = 0.375\namplitude_N = 1\nfrequency_Hz = 1\n";

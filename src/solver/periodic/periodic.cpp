@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -26,6 +27,8 @@ constexpr double slight = 0.05;
 constexpr int most_halvings = 4;
 /// A solution farther away than this many steps lies on another branch.
 constexpr double farthest = 2;
+/// A motion that drowns by more than this in the rounding of coordinates is no answer.
+constexpr double most_rounding = 1e-3;
 /// A drive is known to the tolerance times itself, or times this part of the force of inertia (of the amplitude).
 constexpr double smallest_drive = 1e-4;
 
@@ -126,8 +129,16 @@ class Newton {
       }
       solution.correction = measure(s.point, change);
       if (!std::isfinite(solution.correction)) break;
-      if (solution.correction <= options_.tolerance) {
-        solution.converged = s.at.loops.gap <= options_.closure;
+      const double amplitude = std::abs(control_swing(balance_, s.point.x + change.x));
+      const double rounding = rounding_of(amplitude);
+      if (rounding > most_rounding) {
+        solution.failure = fmt::format(
+            "the amplitude drowns in the rounding of coordinates: above {:.1g} m it can be told to one per mille",
+            amplitude * rounding / most_rounding);
+        break;
+      }
+      if (solution.correction <= std::max(options_.tolerance, rounding)) {
+        solution.converged = s.at.loops.gap <= std::max(options_.closure, rounding);
         break;
       }
       advance(s.point, change, bounded(s.point, change));
@@ -138,6 +149,13 @@ class Newton {
   }
 
  private:
+  /// [-] of the amplitude: places along the chain are known to the last digit of its length, and small motions to no
+  /// more than that.
+  double rounding_of(double amplitude) const {
+    const double length = system_.model().unstressed_length();
+    return std::numeric_limits<double>::epsilon() * length / amplitude;
+  }
+
   /// Largest change relative to what it changes.
   double measure(const PeriodicPoint& point, const PeriodicPoint& change) const {
     const double size = std::abs(control_swing(balance_, point.x + change.x));

@@ -55,9 +55,11 @@ struct PeriodicSetup {
 };
 
 struct PeriodicOptions {
-  int harmonics = 3;        ///< H; take 5 in gross slip: with 3 the loss of a 30 m span was 1 % and 4 % low there
-  int samples = 64;         ///< N per cycle
-  double tolerance = 1e-9;  ///< of a correction, relative to amplitude, frequency and drive
+  int harmonics = 3;  ///< H; take 5 in gross slip: with 3 the loss of a 30 m span was 1 % and 4 % low there
+  int samples = 64;   ///< N per cycle
+  /// Of a correction, relative to amplitude, frequency and drive; of very small motions what rounding leaves, 2e-16 of
+  /// the chain's length over the amplitude.
+  double tolerance = 1e-9;
   int max_iterations = 40;  ///< per state
   int max_cycles = 10;      ///< in which a section loop must close
   double closure = 1e-9;    ///< [-] gap of a closed loop, of the largest resultant of its kind
