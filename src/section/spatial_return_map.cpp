@@ -79,8 +79,9 @@ Effort SpatialReturnMap::respond(const History& history, const Field& strains, F
 }
 
 Effort SpatialReturnMap::commit(History& history, const Field& strains, StepEnergy& energy) const {
-  return {.evaluations = strains.points(),
-          .sweeps = spatial_kernel::commit(c_, history.data.data(), kernel::spatial_view(strains), kernel::view(energy))};
+  return {
+      .evaluations = strains.points(),
+      .sweeps = spatial_kernel::commit(c_, history.data.data(), kernel::spatial_view(strains), kernel::view(energy))};
 }
 
 }  // namespace strandyn::section

@@ -119,7 +119,7 @@ double loss_per_turn(const strandyn::section::Law& law, double eps, int steps, c
 
 }  // namespace
 
-TEST_CASE("spatial compliant law: a single wire is a rod; twist and tension act on the lays with their signs") {
+TEST_CASE("spatial compliant law: a single wire is a rod and twist and tension act on the lays with their signs") {
   Strand wire;
   wire.layers = {round_layer(1, 4e-3, 0, 70e9)};
   const auto c = section_constants(wire);

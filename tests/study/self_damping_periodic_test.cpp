@@ -89,7 +89,7 @@ TEST_CASE("below first slip friction is exactly zero and modal damping is found 
   check_close(row["loss_factor"], 2e-3, {.relative = 0.05});
 }
 
-TEST_CASE("below first slip a vibration however small has an answer, until rounding drowns it, which is said") {
+TEST_CASE("below first slip a vibration however small has an answer until rounding drowns it and it says so") {
   const auto point = [](const char* amplitude_over_diameter) {
     return summary_of(span_and(study_of + "modes = 4\namplitude_over_diameter = " + amplitude_over_diameter +
                                "\ntensions_rts = 0.2\n"))["points"][0];

@@ -137,8 +137,10 @@ class Newton {
             amplitude * rounding / most_rounding);
         break;
       }
-      if (solution.correction <= std::max(options_.tolerance, rounding)) {
-        solution.converged = s.at.loops.gap <= std::max(options_.closure, rounding);
+      // Of a motion so small, loops close no better.
+      const bool is_tiny = rounding > options_.tolerance;
+      if (solution.correction <= (is_tiny ? rounding : options_.tolerance)) {
+        solution.converged = s.at.loops.gap <= (is_tiny ? std::max(options_.closure, rounding) : options_.closure);
         break;
       }
       advance(s.point, change, bounded(s.point, change));
