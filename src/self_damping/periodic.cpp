@@ -84,14 +84,20 @@ PeriodicMethod::PeriodicMethod(const Scene& scene) : scene_(scene) {
 }
 
 PointResult PeriodicMethod::at(const Point& point, const Watch& watch) const {
-  if (watch.stop && watch.stop()) return {.stopped = true};
   const Scene own = build::scene_of_point(scene_, point.ask());
   build::BuiltSpan built = build::build_span(own);
   const build::Shaker shaker = build::find_shaker(own, built);
-  const ShakenSpan shaken(std::move(built), shaker, point.frequency, options_);
-  const ResonanceAt found = shaken.resonance(point.antinode_amplitude, watch.stop);
+  span::ResponseOptions options = options_;
+  options.stop = watch.stop;
+  std::optional<ShakenSpan> shaken;
+  try {
+    shaken.emplace(std::move(built), shaker, point.frequency, options);
+  } catch (const Interrupted&) {
+    return {.stopped = true};
+  }
+  const ResonanceAt found = shaken->resonance(point.antinode_amplitude);
   if (found.stopped || !found.solution.converged) return failed(found.solution.failure, found);
-  return result_of(shaken, point, found);
+  return result_of(*shaken, point, found);
 }
 
 /// Loops of all sections over the samples of a cycle, once for each coefficient of the harmonics and again in the

@@ -62,7 +62,7 @@ ShakenSpan::ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, doub
     : span_(std::move(built)) {
   span_.apply_static_loads();
   set_proportional_damping(span_);
-  NumberedMode found = mode_near(span_, frequency);
+  NumberedMode found = mode_near(span_, frequency, options.stop);
   mode_ = std::move(found.mode);
   mode_number_ = found.number;
   places_.emplace(span_.built.model, span_.built.loop_length(mode_.frequency));
@@ -70,8 +70,10 @@ ShakenSpan::ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, doub
             .drive = {.node = shaker.node, .unknown = Unknown::y},
             .control = control_place(span_, mode_, mode_number_ >= 3 ? span_.built.length / mode_number_ : 0)};
   solver_.emplace(span_.system, span_.u, setup_,
-                  solver::PeriodicOptions{
-                      .harmonics = options.harmonics, .samples = options.samples, .max_iterations = most_iterations});
+                  solver::PeriodicOptions{.harmonics = options.harmonics,
+                                          .samples = options.samples,
+                                          .max_iterations = most_iterations,
+                                          .stop = options.stop});
 }
 
 double ShakenSpan::antinode_amplitude(const solver::PeriodicState& state) const {
@@ -103,13 +105,8 @@ double ShakenSpan::phase(const solver::PeriodicState& state) const {
   return behind - turn * std::floor(behind / turn + 0.25);
 }
 
-ResonanceAt ShakenSpan::from_mode(double control, const std::function<bool()>& stop) const {
-  ResonanceAt result;
+void ShakenSpan::from_mode(double control, ResonanceAt& result) const {
   for (const int parts : {1, 8}) {
-    if (stop && stop()) {
-      result.stopped = true;
-      return result;
-    }
     std::vector<double> amplitudes;
     for (int i = 1; i <= parts; ++i) amplitudes.push_back(control * i / parts);
     for (const solver::PeriodicSolution& solution : solver_->backbone(amplitudes, mode_)) {
@@ -118,27 +115,31 @@ ResonanceAt ShakenSpan::from_mode(double control, const std::function<bool()>& s
     }
     if (result.solution.converged) break;
   }
-  return result;
 }
 
-ResonanceAt ShakenSpan::resonance(double antinode_amplitude, const std::function<bool()>& stop) const {
+void ShakenSpan::approach(double antinode_amplitude, ResonanceAt& result) const {
   // The control is a node of the mesh, the antinode lies beside it: their ratio hardly changes with amplitude.
   constexpr double tolerance = 1e-5;
   constexpr int most_passes = 6;
   solver::PeriodicState unit = solver_->from_mode(mode_, 1);
-  ResonanceAt result = from_mode(antinode_amplitude / this->antinode_amplitude(unit), stop);
-  for (int pass = 0; pass < most_passes && !result.stopped && result.solution.converged; ++pass) {
+  from_mode(antinode_amplitude / this->antinode_amplitude(unit), result);
+  for (int pass = 0; pass < most_passes && result.solution.converged; ++pass) {
     result.antinode_amplitude = this->antinode_amplitude(result.solution.state);
     const double ratio = antinode_amplitude / result.antinode_amplitude;
     if (std::abs(ratio - 1) < tolerance) break;
-    if (stop && stop()) {
-      result.stopped = true;
-      break;
-    }
     solver::PeriodicState start = result.solution.state;
     start.harmonics *= ratio;
     result.solution = solver_->resonance(ratio * result.solution.amplitude, start);
     result.effort += result.solution.effort;
+  }
+}
+
+ResonanceAt ShakenSpan::resonance(double antinode_amplitude) const {
+  ResonanceAt result;
+  try {
+    approach(antinode_amplitude, result);
+  } catch (const Interrupted&) {
+    result.stopped = true;
   }
   return result;
 }

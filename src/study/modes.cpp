@@ -56,16 +56,17 @@ class Modes final : public Analysis {
     return outlook;
   }
 
-  void run(const Hooks&, Outcome& outcome) override {
+  void run(const Hooks& hooks, Outcome& outcome) override {
     span::SpanAtRest span(built_);
     ModesSummary summary{.rest = span::rest_of(span)};
     span.apply_static_loads();
     const auto& keys = scene_.as<casefile::ModesAnalysis>();
-    const std::vector<solver::Mode> modes =
-        across_only_ ? span::modes_across(span, keys.count)
-                     : solver::find_modes(
-                           span.system, span.u,
-                           {.count = static_cast<std::size_t>(keys.count), .near = keys.near_frequency.value_or(0)});
+    const std::vector<solver::Mode> modes = across_only_
+                                                ? span::modes_across(span, keys.count, hooks.stop)
+                                                : solver::find_modes(span.system, span.u,
+                                                                     {.count = static_cast<std::size_t>(keys.count),
+                                                                      .near = keys.near_frequency.value_or(0),
+                                                                      .stop = hooks.stop});
     for (const solver::Mode& mode : modes) summary.frequencies.push_back(mode.frequency);
     summary.modes = span::rows_of(span, modes);
     add_effort(span.system, outcome.cost);

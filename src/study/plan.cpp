@@ -150,7 +150,7 @@ VibrationPlan plan_vibration(const Scene& scene, const build::Integration& integ
   span::set_proportional_damping(span);
   int highest = 0;
   for (const NamedMode& mode : named_modes(scene, ask)) highest = std::max(highest, mode.number);
-  const std::vector<solver::Mode> modes = span::modes_across(span, highest);
+  const std::vector<solver::Mode> modes = span::modes_across(span, highest, ask.stop);
   const auto mode = [&](int number) -> const solver::Mode& { return modes[static_cast<std::size_t>(number) - 1]; };
 
   VibrationPlan plan{.cycles = ask.cycles, .until_steady = ask.until_steady, .decays = ask.mode.has_value()};

@@ -150,7 +150,12 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   const std::unique_ptr<Analysis> analysis = prepare(scene);
   CaseResult result;
   result.summary = frame(scene);
-  analysis->run(hooks, result);
+  try {
+    analysis->run(hooks, result);
+  } catch (const Interrupted& stopped) {
+    result.exit_code = ExitCode::interrupted;
+    result.message = stopped.what();
+  }
 
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
   result.cost.wall_s = wall.count();

@@ -141,8 +141,9 @@ class Sweep final : public Analysis {
   }
 
   void run(const Hooks& hooks, Outcome& outcome) override {
-    const span::ShakenSpan shaken(built_, shaker_, drive_frequency(),
-                                  {.harmonics = keys_.periodic.harmonics, .samples = keys_.periodic.samples});
+    const span::ShakenSpan shaken(
+        built_, shaker_, drive_frequency(),
+        {.harmonics = keys_.periodic.harmonics, .samples = keys_.periodic.samples, .stop = hooks.stop});
     SweepSummary summary{.mode = shaken.mode_number(), .linear_frequency = shaken.mode().frequency};
     (shaker_.moves ? summary.drive_motion : summary.drive_force) = shaker_.size;
     bool stopped = false;
@@ -197,16 +198,20 @@ class Sweep final : public Analysis {
       }
       return !stop();
     };
-    const auto solutions =
-        shaken.solver().sweep({.from = from,
-                               .to = to,
-                               .drive = shaker_.size,
-                               .frequency_step = keys_.frequency_step.value_or(std::abs(to - from) / parts),
-                               .swing_step = keys_.swing_step,
-                               .each = hear});
-    if (solutions.back().converged) return;
-    outcome.exit_code = ExitCode::not_converged;
-    outcome.message = solutions.back().failure;
+    try {
+      const auto solutions =
+          shaken.solver().sweep({.from = from,
+                                 .to = to,
+                                 .drive = shaker_.size,
+                                 .frequency_step = keys_.frequency_step.value_or(std::abs(to - from) / parts),
+                                 .swing_step = keys_.swing_step,
+                                 .each = hear});
+      if (solutions.back().converged) return;
+      outcome.exit_code = ExitCode::not_converged;
+      outcome.message = solutions.back().failure;
+    } catch (const Interrupted&) {
+      stop();  // notes it: the points that were heard of are kept
+    }
   }
 
   /// Resonances at equal parts of the amplitude that the drive reaches: the last one is that by another method.
@@ -215,7 +220,7 @@ class Sweep final : public Analysis {
     std::vector<BackboneRow>& rows = summary.backbone.emplace();
     const double top = summary.resonance->antinode_amplitude;
     for (int i = 1; i <= keys_.backbone_points && !stop(); ++i) {
-      const span::ResonanceAt found = shaken.resonance(top * i / keys_.backbone_points, stop);
+      const span::ResonanceAt found = shaken.resonance(top * i / keys_.backbone_points);
       add(found.effort, outcome);
       if (found.stopped) break;
       const PeriodicSolution& s = found.solution;

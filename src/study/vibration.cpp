@@ -291,7 +291,9 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   span::SpanAtRest span(built_);
   VibrationSummary summary{.rest = span::rest_of(span)};
   span.apply_static_loads();
-  const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
+  PlanAsk ask = ask_;
+  ask.stop = hooks.stop;
+  const VibrationPlan plan = plan_vibration(scene_, integration_, ask, span);
   summary.plan = row_of(plan);
   if (hooks.announce) hooks.announce(words_of(plan, integration_));
 

@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <ctime>
 
 #include "conductor/strands.hpp"
 #include "strandyn/casefile/read.hpp"
@@ -79,4 +81,40 @@ TEST_CASE("modes near a frequency are those whose frequencies are nearest, not t
   const double expected[] = {45.367, 48.075, 50.831, 53.635, 56.491};
   REQUIRE(f.size() == 10);
   for (std::size_t i = 0; i < 10; ++i) check_close(f[i].get<double>(), expected[i / 2], {.relative = 1e-4});
+}
+
+namespace {
+
+/// Asked whether to stop: says yes after so many times, and keeps the longest time of work between two askings.
+struct Asked {
+  int most = 0;
+  int times = 0;
+  double longest = 0;  // [s] of the processor
+  std::clock_t last = std::clock();
+
+  bool operator()() {
+    const std::clock_t now = std::clock();
+    longest = std::max(longest, static_cast<double>(now - last) / CLOCKS_PER_SEC);
+    last = now;
+    return ++times >= most;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("modes and periodic points of a long span ask several times a second whether to stop and obey") {
+  const std::string span =
+      "[conductor]\ncatalogue = \"curlew\"\nfriction = 0.5\n[span]\nlength_m = 400\ntension_rts = 0.2\n";
+  for (const auto& [analysis, most] : {std::pair{"type = \"modes\"\nnear_Hz = 20\ncount = 40\n", 100},
+                                       std::pair{"type = \"self-damping\"\nmethod = \"periodic\"\nfrequencies_Hz = 20\n"
+                                                 "amplitude_over_diameter = 0.1\ntensions_rts = 0.2\n",
+                                                 600}}) {
+    Asked asked{.most = most};
+    study::Hooks hooks;
+    hooks.stop = [&] { return asked(); };
+    const auto run = test::run(casefile::read_scene_text(span + "[analysis]\n" + analysis, "test.toml"), hooks);
+    CHECK(run.exit_code == ExitCode::interrupted);
+    CHECK(asked.times >= most);
+    CHECK(asked.longest < 1);
+  }
 }

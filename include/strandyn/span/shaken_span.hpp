@@ -16,6 +16,7 @@ namespace strandyn::span {
 struct ResponseOptions {
   int harmonics = 5;
   int samples = 64;  ///< per cycle
+  Stop stop = {};    ///< asked within a response
 };
 
 /// A resonance at a wanted antinode amplitude.
@@ -44,7 +45,8 @@ struct StrainRange {
 
 class ShakenSpan {
  public:
-  /// Takes the mode across the span, in its plane, that is nearest to `frequency` [Hz].
+  /// Takes the mode across the span, in its plane, that is nearest to `frequency` [Hz]. Throws Interrupted where it is
+  /// stopped.
   ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, double frequency, const ResponseOptions& options);
 
   const SpanAtRest& span() const { return span_; }
@@ -59,13 +61,14 @@ class ShakenSpan {
   /// turn at phase resonance.
   double phase(const solver::PeriodicState& state) const;
   /// Phase resonance at an antinode amplitude [m]: straight from the mode, or in steps of amplitude where that fails.
-  ResonanceAt resonance(double antinode_amplitude, const std::function<bool()>& stop) const;
+  ResonanceAt resonance(double antinode_amplitude) const;
   /// Nothing below three loops.
   std::optional<FreeSpan> free_span(const solver::PeriodicSolution& solution, const StrainRange& strains) const;
   StrainRange strains(const solver::PeriodicState& state) const;
 
  private:
-  ResonanceAt from_mode(double control, const std::function<bool()>& stop) const;
+  void from_mode(double control, ResonanceAt& result) const;
+  void approach(double antinode_amplitude, ResonanceAt& result) const;
 
   SpanAtRest span_;
   solver::Mode mode_;

@@ -23,7 +23,8 @@ class ShiftedInverse {
  public:
   using Scalar = double;
 
-  ShiftedInverse(const Matrix& K, const Matrix& M) : K_(K), M_(M), size_(static_cast<Eigen::Index>(K.size())) {}
+  ShiftedInverse(const Matrix& K, const Matrix& M, const Stop& stop)
+      : K_(K), M_(M), stop_(stop), size_(static_cast<Eigen::Index>(K.size())) {}
   Eigen::Index rows() const { return size_; }
   Eigen::Index cols() const { return size_; }
   void set_shift(double sigma) {
@@ -34,6 +35,7 @@ class ShiftedInverse {
     }
   }
   void perform_op(const double* x, double* y) const {
+    end_if_asked(stop_);
     std::copy(x, x + size_, y);
     factors_.solve(y);
     for (std::size_t i = 0; i < known_.size(); ++i) {
@@ -52,6 +54,7 @@ class ShiftedInverse {
  private:
   const Matrix& K_;
   const Matrix& M_;
+  const Stop& stop_;
   Eigen::Index size_;
   math::ChainFactors factors_;
   std::vector<Vector> known_, momenta_;
@@ -108,9 +111,11 @@ std::vector<RawMode> nearest(ShiftedInverse& inverse, MassProduct& mass, const S
     throw ComputationError(
         fmt::format("the eigenvalue solver did not find {} modes; use more [span] elements", search.wanted));
   }
+  const Vector values = solver.eigenvalues();
+  const Eigen::MatrixXd shapes = solver.eigenvectors();  // made anew at every call
   std::vector<RawMode> modes;
   for (Eigen::Index i = 0; i < search.wanted; ++i) {
-    modes.push_back({.eigenvalue = solver.eigenvalues()(i), .shape = solver.eigenvectors().col(i)});
+    modes.push_back({.eigenvalue = values(i), .shape = shapes.col(i)});
   }
   return modes;
 }
@@ -129,8 +134,9 @@ void keep_nearest(std::vector<RawMode>& modes, std::size_t count, double omega) 
 }
 
 /// Modes nearest to omega; the solver looks for those nearest in the square, which lean towards the lower ones.
-std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Matrix& M, double omega,
-                                std::size_t count) {
+std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Matrix& M, const ModeOptions& options) {
+  const double omega = 2 * std::numbers::pi * options.near;
+  const std::size_t count = options.count;
   // A shift that meets an eigenvalue to many digits makes its mode drown all others.
   constexpr double aside = 1e-4;
   const double shift = std::pow(omega * (1 + aside), 2);
@@ -139,7 +145,7 @@ std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Mat
   MassProduct mass(M);
   for (std::size_t asked = omega > 0 ? count + 2 : count;; asked += asked / 2 + 2) {
     asked = std::min(asked, with_mass - 1);
-    ShiftedInverse inverse(K, M);
+    ShiftedInverse inverse(K, M, options.stop);
     const Search search{.wanted = static_cast<Eigen::Index>(asked),
                         .independent = static_cast<Eigen::Index>(with_mass),
                         .shift = shift};
@@ -198,8 +204,7 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
                     "give more [span] elements",
                     options.count, with_mass));
   }
-  const double omega = 2 * std::numbers::pi * options.near;
-  std::vector<RawMode> raw = nearest_to(system, K, M, omega, options.count);
+  std::vector<RawMode> raw = nearest_to(system, K, M, options);
   std::vector<Mode> modes;
   for (const RawMode& mode : raw) {
     if (mode.eigenvalue < 0) {
@@ -214,14 +219,14 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
   return modes;
 }
 
-std::vector<Mode> transverse_modes(const System& system, const Vector& u, std::size_t count) {
+std::vector<Mode> transverse_modes(const System& system, const Vector& u, std::size_t count, const Stop& stop) {
   // Others lie in between: ask for a few more until enough transverse ones are found.
   const std::size_t with_mass = unknowns_with_mass(system);
   if (with_mass < 2) throw ComputationError("the mesh has no free nodes that vibrate; give more [span] elements");
   const std::size_t planes = model::is_spatial(system.model().freedom) ? 2 : 1;
   for (std::size_t asked = planes * count + 4;; asked *= 2) {
     asked = std::min(asked, with_mass - 1);
-    std::vector<Mode> modes = find_modes(system, u, {.count = asked});
+    std::vector<Mode> modes = find_modes(system, u, {.count = asked, .stop = stop});
     std::erase_if(modes, [](const Mode& mode) { return mode.kind != ModeKind::in_plane; });
     if (modes.size() >= count) {
       modes.resize(count);

@@ -121,7 +121,7 @@ BalanceEvaluation HarmonicBalance::evaluate(const PeriodicPoint& point) const {
     system_.strains(s.u.col(static_cast<Index>(j)).data(), at.strains[j]);
   }
   at.loops = lead_around(*system_.model().law, system_.history(), at.strains,
-                         {.max_cycles = options_.max_cycles, .closure = options_.closure});
+                         {.max_cycles = options_.max_cycles, .closure = options_.closure, .stop = options_.stop});
   add_material(point, at);
   const std::vector<Field>& stresses = at.with_metal.empty() ? at.loops.stresses : at.with_metal;
   MatrixXd force(s.u.rows(), s.u.cols());
@@ -212,8 +212,9 @@ SectionModel HarmonicBalance::probed_model(const BalanceEvaluation& at) const {
         const double part = fourier_.basis()(static_cast<Index>(j), b);
         for (std::size_t s = 0; s < slipping; ++s) chi[model.slipping[s]] += part * step[s];
       }
-      const SectionLoops loops = lead_around(*system_.model().law, system_.history(), changed,
-                                             {.max_cycles = at.loops.cycles, .closure = options_.closure});
+      const SectionLoops loops =
+          lead_around(*system_.model().law, system_.history(), changed,
+                      {.max_cycles = at.loops.cycles, .closure = options_.closure, .stop = options_.stop});
       model.effort += loops.effort;
       for (std::size_t s = 0; s < slipping; ++s) {
         const MatrixXd answer = moments(loops.stresses, model.slipping[s]) - moment[s];

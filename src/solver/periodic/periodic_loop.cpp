@@ -43,13 +43,17 @@ SectionLoops lead_around(const section::Law& law, const section::History& rest, 
   SectionLoops loops{.stresses = strains, .friction = {}, .quadrature_error = {}};
   section::History history = rest;
   section::StepEnergy energy(points);
-  for (std::size_t j = 1; j <= samples; ++j) loops.effort += law.commit(history, strains[j % samples], energy);
+  for (std::size_t j = 1; j <= samples; ++j) {
+    end_if_asked(options.stop);
+    loops.effort += law.commit(history, strains[j % samples], energy);
+  }
   Field before = strains.front();
   loops.effort += law.respond(history, strains.front(), before, nullptr);
   for (loops.cycles = 2;; ++loops.cycles) {
     loops.friction.assign(points, 0.0);
     loops.quadrature_error.assign(points, 0.0);
     for (std::size_t j = 1; j <= samples; ++j) {
+      end_if_asked(options.stop);
       const Field& strain = strains[j % samples];
       loops.effort += law.commit(history, strain, energy);
       loops.effort += law.respond(history, strain, loops.stresses[j % samples], nullptr);

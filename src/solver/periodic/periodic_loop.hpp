@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "strandyn/core/stop.hpp"
 #include "strandyn/section/law.hpp"
 
 namespace strandyn::solver {
@@ -10,6 +11,7 @@ namespace strandyn::solver {
 struct LoopOptions {
   int max_cycles = 10;
   double closure = 1e-9;
+  Stop stop = {};  ///< asked at each sample
 };
 
 /// The closed cycle.

@@ -32,6 +32,7 @@ void HarmonicBalance::add_slip(const SectionModel& model, HarmonicMatrix& T) con
   Matrix K = system_.make_matrix();
   for (Index a = 0; a < m; ++a) {
     for (Index b = 0; b < m; ++b) {
+      end_if_asked(options_.stop);
       for (std::size_t s = 0; s < model.slipping.size(); ++s) {
         for (Index r = 0; r < axes; ++r) {
           for (Index c = 0; c < axes; ++c) {
@@ -54,6 +55,7 @@ void HarmonicBalance::assemble(const PeriodicPoint& point, const BalanceEvaluati
   Matrix K = system_.make_matrix();
   const MatrixXd u = swing(point).u;
   for (Index j = 0; j < u.cols(); ++j) {
+    end_if_asked(options_.stop);
     system_.stiffness_of(at.loops.stresses[static_cast<std::size_t>(j)], model.mean, u.col(j).data(), K);
     system_.subtract_external_tangent({.time = 0}, u.col(j).data(), K);
     T.add(fourier_.projection().col(j) * fourier_.basis().row(j), K);

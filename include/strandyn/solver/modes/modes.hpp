@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "strandyn/core/stop.hpp"
 #include "strandyn/system/system.hpp"
 
 namespace strandyn::solver {
@@ -27,12 +28,15 @@ struct Mode {
 struct ModeOptions {
   std::size_t count = 1;
   double near = 0;  ///< [Hz] the modes whose frequencies are nearest to this one; 0: the lowest
+  Stop stop = {};   ///< asked now and then
 };
 
-/// Modes in ascending order. Throws ComputationError where the state is unstable or the solver stalls.
+/// Modes in ascending order. Throws ComputationError where the state is unstable or the solver stalls, Interrupted
+/// where it is stopped.
 std::vector<Mode> find_modes(const system::System& system, const system::Vector& u, const ModeOptions& options);
 
 /// The lowest modes whose motion is mainly across the span and in its plane: what "mode 12" counts.
-std::vector<Mode> transverse_modes(const system::System& system, const system::Vector& u, std::size_t count);
+std::vector<Mode> transverse_modes(const system::System& system, const system::Vector& u, std::size_t count,
+                                   const Stop& stop = {});
 
 }  // namespace strandyn::solver

@@ -64,6 +64,7 @@ struct PeriodicOptions {
   int max_cycles = 10;      ///< in which a section loop must close
   double closure = 1e-9;    ///< [-] gap of a closed loop, of the largest resultant of its kind
   double probe = 1e-4;      ///< [-] of the fundamental curvature: how far sections are asked for their derivatives
+  Stop stop = {};           ///< asked several times an iteration; a solution then ends by Interrupted
   /// Throws std::invalid_argument that names the option.
   void validate() const;
 };
