@@ -3,10 +3,14 @@
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <filesystem>
 #include <functional>
+#include <new>
+#include <sstream>
 #include <string>
 
 #include "strandyn/version.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace {
@@ -15,8 +19,17 @@ using strandyn::ExitCode;
 namespace app = strandyn::app;
 
 int report_error(ExitCode code, const char* text) {
-  fmt::print(stderr, "strandyn: {}\n", text);
+  if (*text != '\0') app::tell("strandyn: {}\n", text);
   return static_cast<int>(code);
+}
+
+/// What the program's own help, or a slip on the command line, has to say.
+int answer(const CLI::App& program, const CLI::ParseError& error) {
+  std::ostringstream out, words;
+  const int code = program.exit(error, out, words);
+  app::tell("{}", words.str());
+  app::print_raw(out.str());
+  return code == 0 ? 0 : static_cast<int>(ExitCode::wrong_input);
 }
 
 /// Adds the arguments that every verb on a case takes.
@@ -80,18 +93,25 @@ int main(int argc, char** argv) {
   report->add_option("DIR", folder, "results folder")->required();
   report->callback([&] { verb = [&] { return app::report(folder); }; });
 
+  app::guard_streams();
   try {
-    program.parse(argc, argv);
+    try {
+      program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return answer(program, error);
+    }
     return static_cast<int>(verb());
-  } catch (const CLI::ParseError& error) {
-    const int code = program.exit(error);
-    return code == 0 ? 0 : static_cast<int>(ExitCode::wrong_input);
   } catch (const strandyn::InputError& error) {
     return report_error(ExitCode::wrong_input, error.what());
   } catch (const strandyn::FileError& error) {
     return report_error(ExitCode::no_file, error.what());
   } catch (const strandyn::ComputationError& error) {
     return report_error(ExitCode::not_converged, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report_error(ExitCode::no_file, error.what());
+  } catch (const std::bad_alloc&) {
+    return report_error(ExitCode::not_converged,
+                        "there is not enough memory for this; ask for fewer elements or points");
   } catch (const std::exception& error) {
     return report_error(ExitCode::not_converged, fmt::format("unexpected failure: {}", error.what()).c_str());
   }

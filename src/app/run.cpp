@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 #include "interrupt.hpp"
 #include "strandyn/report/page.hpp"
@@ -12,6 +13,7 @@
 #include "strandyn/results/folder.hpp"
 #include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace strandyn::app {
@@ -42,10 +44,10 @@ void print_results(const study::CaseResult& result) {
   for (const results::ShownTable& shown : result.shown) {
     const auto table = std::ranges::find(result.tables, shown.table, &results::NamedTable::file);
     if (table == result.tables.end() || table->table.rows() == 0) continue;
-    fmt::print("\n{}\n{}", shown.title, report::text_of(shown, table->table));
+    print("\n{}\n{}", shown.title, report::text_of(shown, table->table));
   }
-  if (!result.highlights.empty()) fmt::print("\n{}", report::text_of(result.highlights));
-  if (!result.verdicts.empty()) fmt::print("\n{}", verdict_table(result.verdicts));
+  if (!result.highlights.empty()) print("\n{}", report::text_of(result.highlights));
+  if (!result.verdicts.empty()) print("\n{}", verdict_table(result.verdicts));
 }
 
 /// Progress, plans and warnings go to standard error.
@@ -54,10 +56,11 @@ study::Hooks hooks_of(const RunArguments& arguments, const std::filesystem::path
           .progress = [&](double part, std::string_view what) { progress.update(part, what); },
           .announce =
               [quiet = arguments.quiet](std::string_view what) {
-                if (!quiet) fmt::print(stderr, "{}\n", what);
+                if (!quiet) tell("{}\n", what);
               },
           .folder = folder,
-          .resume = arguments.resume};
+          .resume = arguments.resume,
+          .warn = [](std::string_view what) { tell("warning: {}\n", what); }};
 }
 
 }  // namespace
@@ -72,26 +75,31 @@ ExitCode run(const RunArguments& arguments) {
   watch_for_interrupt();
 
   report::Progress progress({.out = &std::cerr, .terminal = report::stderr_is_terminal(), .quiet = arguments.quiet});
-  const std::filesystem::path checkpoint = folder / study::checkpoint_name;
   if (arguments.resume && !arguments.quiet) {
-    const bool there = std::filesystem::exists(checkpoint);
-    fmt::print(stderr, "{} {}\n", there ? "resuming from" : "starting from the beginning: there is no",
-               checkpoint.string());
+    const std::filesystem::path kept = folder / study::resumes_from(scene);
+    const bool there = std::filesystem::exists(kept);
+    tell("{} {}\n", there ? "resuming from" : "starting from the beginning: there is no", kept.string());
   }
   const study::CaseResult result = study::run_case(scene, hooks_of(arguments, folder, progress));
   progress.finish();
   write_results(folder, earlier, result);
   std::error_code ignored;  // a checkpoint that stays does no harm
-  if (!result.ended_early) std::filesystem::remove(checkpoint, ignored);
+  if (!result.ended_early) std::filesystem::remove(folder / study::checkpoint_name, ignored);
   if (arguments.report) report::write_report(folder);
 
-  if (!arguments.quiet && !arguments.json) print_results(result);
-  if (!arguments.quiet) {
-    for (const std::string& warning : result.warnings) fmt::print(stderr, "warning: {}\n", warning);
-    fmt::print(stderr, "results in {}\n", folder.string());
+  std::optional<FileError> unprinted;  // where standard output fails, the rest is still said
+  try {
+    if (!arguments.quiet && !arguments.json) print_results(result);
+    if (arguments.json) print_raw(results::to_text(result.summary) + '\n');
+  } catch (const FileError& error) {
+    unprinted = error;
   }
-  if (!result.message.empty()) fmt::print(stderr, "strandyn: {}\n", result.message);
-  if (arguments.json) fmt::print("{}\n", results::to_text(result.summary));
+  if (!arguments.quiet) {
+    for (const std::string& warning : result.warnings) tell("warning: {}\n", warning);
+    tell("results in {}\n", folder.string());
+  }
+  if (!result.message.empty()) tell("strandyn: {}\n", result.message);
+  if (unprinted) throw *unprinted;
   return result.exit_code;
 }
 

@@ -12,43 +12,51 @@
 #include "strandyn/results/json.hpp"
 #include "strandyn/study/reference.hpp"
 #include "strandyn/study/run_case.hpp"
+#include "streams.hpp"
 
 namespace strandyn::app {
 namespace {
 
-/// The smallest case that brings a conductor through the reader.
-casefile::Scene scene_of(std::string_view conductor) {
-  const std::string text =
-      fmt::format("[conductor]\ncatalogue = \"{}\"\n[analysis]\ntype = \"axial-torsion\"\n", conductor);
+/// The smallest case that brings a conductor through the reader; `name` is a text of TOML.
+casefile::Scene scene_of(std::string_view name) {
+  const std::string text = fmt::format("[conductor]\ncatalogue = {}\n[analysis]\ntype = \"axial-torsion\"\n", name);
   return casefile::read_scene_text(text, "the catalogue");
+}
+/// Of a word of the shell, which may hold anything.
+std::string as_toml(std::string_view word) {
+  return results::to_text(results::Value(harmless(word)), -1);
 }
 
 }  // namespace
 
 casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   casefile::Scene scene = casefile::read_scene(file, overrides);
-  for (const std::string& note : scene.notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : scene.notes) tell("note: {}\n", note);
   return scene;
 }
 
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const casefile::Scene scene = read_noted(file, overrides);
   study::prepare(scene);
-  fmt::print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::word_of(scene.analysis));
+  print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::word_of(scene.analysis));
   return ExitCode::done;
 }
 
 ExitCode describe(const RunArguments& arguments) {
   const results::Value told = study::describe_case(read_noted(arguments.file, arguments.overrides));
-  fmt::print("{}\n", arguments.json ? results::to_text(told) : report::text_of(told));
+  if (arguments.json) {
+    print_raw(results::to_text(told) + '\n');
+  } else {
+    print("{}\n", report::text_of(told));
+  }
   return ExitCode::done;
 }
 
 ExitCode conductors(const std::string& name) {
   if (!name.empty()) {
-    scene_of(name);  // refuses an unknown name and says which is near
+    scene_of(as_toml(name));  // refuses an unknown name and says which is near
     for (const conductor::CatalogueEntry& entry : conductor::catalogue()) {
-      if (entry.name == name) fmt::print("{}", entry.text);
+      if (entry.name == name) print("{}", entry.text);
     }
     return ExitCode::done;
   }
@@ -62,24 +70,24 @@ ExitCode conductors(const std::string& name) {
                            {"EI min", "N m^2", 4},
                            {"EI max", "N m^2", 5}});
   for (const conductor::CatalogueEntry& entry : conductor::catalogue()) {
-    const conductor::Strand strand = scene_of(entry.name).conductor->strand;
+    const conductor::Strand strand = scene_of(as_toml(entry.name)).conductor->strand;
     const conductor::SectionConstants c = conductor::section_constants(strand);
     int wires = 0;
     for (const conductor::Layer& layer : strand.layers) wires += layer.wires;
     table.add_row({std::string(entry.name), wires, 1e3 * strand.outer_diameter(), strand.mass_per_length,
                    strand.rated_strength / 1e3, c.EA / 1e6, c.EI_min, c.EI_max});
   }
-  fmt::print("{}", table.str());
+  print("{}", table.str());
   return ExitCode::done;
 }
 
 ExitCode schema(bool of_results) {
-  fmt::print("{}", of_results ? study::outputs_reference() : casefile::case_schema() + "\n");
+  print_raw(of_results ? study::outputs_reference() : casefile::case_schema() + "\n");
   return ExitCode::done;
 }
 
 ExitCode report(const std::filesystem::path& folder) {
-  fmt::print("{}\n", report::write_report(folder).string());
+  print("{}\n", report::write_report(folder).string());
   return ExitCode::done;
 }
 

@@ -7,6 +7,7 @@
 #include "strandyn/report/text_table.hpp"
 #include "strandyn/results/json.hpp"
 #include "strandyn/results/record.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace strandyn::app {
@@ -63,8 +64,8 @@ CaseRow row_of(const VerifiedCase& c) {
 
 void print_case(const VerifiedCase& c) {
   using report::Align;
-  fmt::print("\n{}: {}\n", c.name, c.title);
-  if (!c.error.empty()) fmt::print("FAILED: {}\n", c.error);
+  print("\n{}: {}\n", c.name, c.title);
+  if (!c.error.empty()) print("FAILED: {}\n", c.error);
   if (c.verdicts.empty()) return;
   report::TextTable table({{.header = "quantity", .align = Align::left},
                            {.header = "wanted"},
@@ -75,7 +76,7 @@ void print_case(const VerifiedCase& c) {
   for (const casefile::Verdict& v : c.verdicts) {
     table.add_row({v.path, v.wanted, v.found, v.digits, v.passed ? "passed" : "FAILED", v.source});
   }
-  fmt::print("{}", table.str());
+  print("{}", table.str());
 }
 
 }  // namespace
@@ -84,17 +85,17 @@ ExitCode verify(const VerifyArguments& arguments) {
   std::filesystem::path folder = arguments.folder;
   // A program that was built where its cases lie finds them from anywhere.
   if (folder.empty()) folder = std::filesystem::is_directory("cases") ? "cases" : STRANDYN_SOURCE_DIR "/cases";
-  const std::vector<VerifiedCase> cases = study::verify_cases(
-      folder, arguments.names, [](const std::string& name) { fmt::print(stderr, "running {}\n", name); });
+  const std::vector<VerifiedCase> cases =
+      study::verify_cases(folder, arguments.names, [](const std::string& name) { tell("running {}\n", name); });
   if (cases.empty()) throw InputError("no case with an [accept] table has such a name; `ls cases` shows what there is");
   const auto passed = std::count_if(cases.begin(), cases.end(), [](const VerifiedCase& c) { return c.passed(); });
   if (arguments.json) {
     std::vector<CaseRow> rows;
     for (const VerifiedCase& c : cases) rows.push_back(row_of(c));
-    fmt::print("{}\n", results::to_text(results::to_value(rows)));
+    print_raw(results::to_text(results::to_value(rows)) + '\n');
   } else {
     for (const VerifiedCase& c : cases) print_case(c);
-    fmt::print("\n{} of {} cases hold what they promise\n", passed, cases.size());
+    print("\n{} of {} cases hold what they promise\n", passed, cases.size());
   }
   return passed == static_cast<std::ptrdiff_t>(cases.size()) ? ExitCode::done : ExitCode::not_converged;
 }

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "strandyn/core/error.hpp"
+#include "toml_guard.hpp"
 
 namespace strandyn::casefile {
 namespace {
@@ -31,6 +32,9 @@ class PathReader {
       steps.push_back({read_key(), {}});
       while (skip('[')) steps.back().indices.push_back(read_index());
     } while (skip('.'));
+    if (steps.size() > static_cast<std::size_t>(most_key_parts)) {
+      refuse_argument(place_, fmt::format("a key of more than {} parts", most_key_parts));
+    }
     if (!skip('=')) refuse_argument(place_, "there is no `=` after the key path");
     return steps;
   }
@@ -73,6 +77,7 @@ class PathReader {
 };
 
 bool parses(const std::string& document) {
+  if (find_unreadable(document)) return false;
   try {
     return toml::parse(document).size() == 1;
   } catch (const toml::parse_error&) {

@@ -124,12 +124,12 @@ void Reader::one_of(std::initializer_list<const char*> group, const OneOf& spec)
   }
 }
 
-double Reader::to_number(const toml::node& node, const std::string& path, const Number& spec) const {
-  const std::string remedy = "give " + describe(spec);
-  if (!node.is_number()) refuse(source_, path, spec.whole ? "must be a whole number" : "must be a number", remedy);
-  const double x = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
-  if (const auto fault = find_fault(spec, x)) refuse(source_, path, *fault, remedy);
-  return spec.unit.to_si(x);
+std::optional<std::string> Reader::read_number(const toml::node& node, const Number& spec, double& x) {
+  if (!node.is_number()) return spec.whole ? "must be a whole number" : "must be a number";
+  x = node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
+  if (auto fault = find_fault(spec, x)) return fault;
+  x = spec.unit.to_si(x);
+  return std::nullopt;
 }
 
 void Reader::numbers(const char* key, std::vector<double>& field, const Number& spec) {

@@ -80,9 +80,12 @@ class Reader {
     const std::string path = path_of(key);
     field.clear();
     for (const toml::array* row : to_rows(*node, path, N, spec)) {
-      const std::string row_path = path + index(field.size());
+      const std::size_t i = field.size();
       std::array<double, N>& values = field.emplace_back();
-      for (std::size_t j = 0; j < N; ++j) values[j] = to_number(*row->get(j), row_path + index(j), columns[j]);
+      for (std::size_t j = 0; j < N; ++j) {
+        values[j] = to_number(
+            *row->get(j), [&] { return path + index(i) + index(j); }, columns[j]);
+      }
     }
   }
 
@@ -210,7 +213,20 @@ class Reader {
   void refuse_unknown_keys() const;
   void refuse_keys_of_other_choices() const;
 
-  double to_number(const toml::node& node, const std::string& path, const Number& spec) const;
+  /// `path` is made only where the number is refused: a table may have a hundred thousand rows.
+  template <class Path>
+  double to_number(const toml::node& node, const Path& path, const Number& spec) const {
+    double x = 0;
+    const auto fault = read_number(node, spec, x);
+    if (!fault) return x;
+    if constexpr (std::is_invocable_v<Path>) {
+      refuse(source_, path(), *fault, "give " + describe(spec));
+    } else {
+      refuse(source_, path, *fault, "give " + describe(spec));
+    }
+  }
+  /// In SI, or what is wrong with it.
+  static std::optional<std::string> read_number(const toml::node& node, const Number& spec, double& x);
   std::string to_text(const toml::node& node, const std::string& path, const Plain& spec) const;
   bool to_flag(const toml::node& node, const std::string& path, const Plain& spec) const;
   std::string to_choice(const toml::node& node, const std::string& path, const Plain& spec,

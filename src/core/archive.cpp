@@ -1,14 +1,9 @@
 #include "strandyn/core/archive.hpp"
 
+#include "strandyn/core/checksum.hpp"
+
 namespace strandyn {
 namespace {
-
-/// FNV-1a. Each byte acts through a one-to-one map of the sum, so no single wrong byte goes unseen.
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t sum = 14695981039346656037U;
-  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211U;
-  return sum;
-}
 
 std::string mark(const Seal& seal) {
   return "strandyn " + std::string(seal.kind) + "\n";

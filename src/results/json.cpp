@@ -60,6 +60,23 @@ Value from_json(const ordered_json& json) {
   }
 }
 
+/// Deeper than anything that this program writes; what goes deeper would exhaust the stack.
+constexpr int greatest_depth = 64;
+
+bool is_too_deep(std::string_view text) {
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') ++i;
+    if (c == '"') quoted = !quoted;
+    if (quoted) continue;
+    if ((c == '[' || c == '{') && ++depth > greatest_depth) return true;
+    if (c == ']' || c == '}') --depth;
+  }
+  return false;
+}
+
 /// Where the first number stands that is not finite, as a path into the document.
 std::optional<std::string> find_non_finite(const Value& value, const std::string& place) {
   const auto number = value.number();
@@ -80,16 +97,20 @@ std::string to_text(const Value& value, int indent) {
 }
 
 Value from_text(std::string_view text, const std::string& name) {
+  if (is_too_deep(text)) throw InputError(fmt::format("{}: more than {} levels deep", name, greatest_depth));
   try {
     return from_json(ordered_json::parse(text));
   } catch (const ordered_json::parse_error& error) {
     const std::string_view words = error.what();
     const auto place = words.find("parse error");
     throw InputError(fmt::format("{}: {}", name, place == std::string_view::npos ? words : words.substr(place)));
+  } catch (const ordered_json::out_of_range&) {
+    throw InputError(fmt::format("{}: a number in it is beyond what a double holds", name));
   }
 }
 
 std::optional<Value> from_line(std::string_view text) {
+  if (is_too_deep(text)) return std::nullopt;
   const ordered_json json = ordered_json::parse(text, nullptr, false);
   if (json.is_discarded()) return std::nullopt;
   return from_json(json);

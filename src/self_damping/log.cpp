@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <sstream>
+#include <algorithm>
 
 #include "strandyn/casefile/echo.hpp"
+#include "strandyn/core/checksum.hpp"
 #include "strandyn/core/error.hpp"
 #include "strandyn/results/folder.hpp"
 #include "strandyn/results/json.hpp"
@@ -14,16 +14,6 @@
 namespace strandyn::self_damping {
 
 namespace {
-
-/// FNV-1a, 64 bits.
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : text) {
-    hash ^= static_cast<unsigned char>(c);
-    hash *= 1099511628211U;
-  }
-  return hash;
-}
 
 /// One line of the file.
 struct LogLine {
@@ -40,8 +30,36 @@ void members(V& v, LogLine& l) {
   v.value("finished", l.finished, {.what = "the study has come to its end"});
 }
 
-std::string text_of(const LogLine& line) {
-  return results::to_text(results::to_value(line), -1) + '\n';
+constexpr std::string_view seal_begin = ",\"checksum\":\"";
+constexpr std::string_view seal_end = "\"}";
+
+/// What is written in place of the closing brace of a line.
+std::string seal_of(std::string_view line, const std::string& study) {
+  return fmt::format("{}{:016x}{}", seal_begin, checksum(study + std::string(line)), seal_end);
+}
+
+/// A line with its checksum and its end.
+std::string text_of(const LogLine& line, const std::string& study) {
+  std::string text = results::to_text(results::to_value(line), -1);
+  text.pop_back();
+  return text + seal_of(text, study) + '\n';
+}
+
+/// The line again, if it is as it was written.
+std::optional<LogLine> line_of(std::string_view text, const std::string& study) {
+  const std::size_t cut = text.rfind(seal_begin);
+  if (cut == std::string_view::npos || text.substr(cut) != seal_of(text.substr(0, cut), study)) return std::nullopt;
+  const auto value = results::from_line(std::string(text.substr(0, cut)) + '}');
+  LogLine line;
+  if (!value || results::RecordReader::fill(line, *value) > 0) return std::nullopt;
+  return line;
+}
+
+/// Whether the row is of this point, whatever wrote it.
+bool belongs(const PointRow& row, const Point& point) {
+  return row.frequency == point.frequency && row.antinode_amplitude == point.antinode_amplitude &&
+         row.tension == point.tension && row.method == name_of(point.method) &&
+         row.failed.has_value() != row.has_numbers();
 }
 
 }  // namespace
@@ -62,36 +80,58 @@ std::string study_identity(const casefile::Scene& scene, const std::string& mach
     identity.set(key, std::move(analysis));
   }
   const std::string program = fmt::format("{} {} {} {}", program_version, program_revision, program_compiler, machine);
-  return fmt::format("{:016x}", hash_of(results::to_text(identity, -1) + program));
+  return fmt::format("{:016x}", checksum(results::to_text(identity, -1) + program));
 }
 
-PointLog::PointLog(const std::filesystem::path& folder, const std::string& study) : study_(study) {
-  if (folder.empty()) return;
-  path_ = folder / "points.jsonl";
-  if (std::filesystem::exists(path_)) read();
+PointLog::PointLog(const LogOptions& options, const std::vector<Point>& points) : study_(options.study) {
+  if (options.folder.empty()) return;
+  path_ = options.folder / log_name;
+  if (options.resume && std::filesystem::exists(path_)) read(points);
   write();
 }
 
-void PointLog::read() {
-  std::istringstream lines(results::read_file(path_));
-  std::string line;
-  bool ours = std::getline(lines, line) && line + '\n' == text_of({.study = study_});
-  while (ours && std::getline(lines, line)) {
-    const auto value = results::from_line(line);
-    if (!value) break;  // the line that the end of the program cut
-    LogLine entry;
-    results::RecordReader::fill(entry, *value);
-    if (entry.finished) ours = false;
-    if (entry.point && entry.row) rows_[*entry.point] = *entry.row;
+void PointLog::read(const std::vector<Point>& points) {
+  const std::string file = results::read_file(path_);
+  std::string_view rest = file;
+  std::size_t number = 0, first_bad = 0, bad = 0;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) break;  // cut by the end of the program
+    const std::optional<LogLine> line = line_of(rest.substr(0, end), study_);
+    rest.remove_prefix(end + 1);
+    ++number;
+    const bool head = line && line->study == study_;
+    if (number == 1 && !head) {
+      rows_.clear();
+      fault_ = fmt::format(
+          "{}: its first line does not name this study as this program would: all points are computed "
+          "again; resume with the case and the program that began it",
+          path_.string());
+      return;
+    }
+    if (line && line->finished) {
+      rows_.clear();
+      return;
+    }
+    const bool whole =
+        line && line->point && *line->point < points.size() && line->row && belongs(*line->row, points[*line->point]);
+    if (whole) rows_[*line->point] = *line->row;
+    if (whole || (number == 1 && head)) continue;
+    if (bad++ == 0) first_bad = number;
   }
-  if (!ours) rows_.clear();
+  if (bad > 0) {
+    fault_ = fmt::format(
+        "{}: {} of its lines, the first of them line {}, {} not as {} written: what they held is "
+        "computed again",
+        path_.string(), bad, first_bad, bad == 1 ? "is" : "are", bad == 1 ? "it was" : "they were");
+  }
 }
 
 void PointLog::write() {
   file_.close();
-  std::string text = text_of({.study = study_});
-  for (const auto& [point, row] : rows_) text += text_of({.point = point, .row = row});
-  if (finished_) text += text_of({.finished = true});
+  std::string text = text_of({.study = study_}, study_);
+  for (const auto& [point, row] : rows_) text += text_of({.point = point, .row = row}, study_);
+  if (finished_) text += text_of({.finished = true}, study_);
   results::write_file(path_, text);
   file_.open(path_, std::ios::app | std::ios::binary);
 }
@@ -99,7 +139,7 @@ void PointLog::write() {
 void PointLog::add(std::size_t point, const PointRow& row) {
   rows_[point] = row;
   if (path_.empty()) return;
-  file_ << text_of({.point = point, .row = row}) << std::flush;
+  file_ << text_of({.point = point, .row = row}, study_) << std::flush;
   if (!file_) throw FileError(fmt::format("{}: a finished point could not be written", path_.string()));
 }
 

@@ -9,6 +9,7 @@
 #include "strandyn/build/section_law.hpp"
 #include "strandyn/casefile/echo.hpp"
 #include "strandyn/section/return_map.hpp"
+#include "strandyn/self_damping/log.hpp"
 #include "strandyn/version.hpp"
 
 namespace strandyn::study {
@@ -142,6 +143,10 @@ Value frame(const casefile::Scene& scene) {
 
 std::vector<results::MemberNote> notes_of_frame() {
   return results::ReferenceWriter::of<Frame>();
+}
+
+const char* resumes_from(const casefile::Scene& scene) {
+  return scene.is<casefile::SelfDampingAnalysis>() ? self_damping::log_name : checkpoint_name;
 }
 
 CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {

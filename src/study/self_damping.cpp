@@ -283,7 +283,11 @@ class SelfDamping final : public Analysis {
 };
 
 void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
-  PointLog log(hooks.folder, self_damping::study_identity(scene_, section::vector_target().name));
+  PointLog log({.folder = hooks.folder,
+                .study = self_damping::study_identity(scene_, section::vector_target().name),
+                .resume = hooks.resume},
+               points_);
+  if (log.fault() && hooks.warn) hooks.warn(*log.fault());
   for (const auto& [word, method] : methods_) method->begin(points_);
   March(scene_, hooks, methods_, points_, log).run();
 
@@ -301,7 +305,7 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
   if (!finished) {
     outcome.exit_code = ExitCode::interrupted;
     outcome.message =
-        fmt::format("stopped after {} of {} points; the same run goes on from there", rows.size(), points_.size());
+        fmt::format("stopped after {} of {} points; --resume goes on from there", rows.size(), points_.size());
     return;
   }
   log.finish();

@@ -148,7 +148,8 @@ TEST_CASE("a study that was stopped goes on and ends with the same file") {
   std::vector<std::string> told;
   const auto rest = test::run(scene, {.stop = {},
                                       .progress = [&](double, std::string_view what) { told.emplace_back(what); },
-                                      .folder = parted.path()});
+                                      .folder = parted.path(),
+                                      .resume = true});
   CHECK(told.front() == "point 3 of 8");
   CHECK(rest.summary["points"] == reference.summary["points"]);
   CHECK(rest.summary["fit"] == reference.summary["fit"]);
@@ -166,7 +167,8 @@ TEST_CASE("the points of another case are not taken up and a finished study comp
                           [&](double, std::string_view what) {
                             if (told.empty()) told = what;
                           },
-                      .folder = folder.path()});
+                      .folder = folder.path(),
+                      .resume = true});
     return told;
   };
   CHECK(first_word(damping_scene("return-map", small_grid), 3) == "point 0 of 8");

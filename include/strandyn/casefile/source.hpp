@@ -5,7 +5,9 @@
 ///
 /// place, key path, the text found, what is wrong, what would be right.
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,8 +23,12 @@ struct Source {
 
   std::string file;
   std::map<std::string, Entry, std::less<>> entries;
+  /// Of the numbers in lists, which are no entries: there may be a million. Dear; for refusals.
+  std::function<std::optional<Entry>(std::string_view key_path)> find_element = {};
 
   const Entry* find(std::string_view key_path) const;
+  /// The entry, or the element of a list.
+  std::optional<Entry> look_up(std::string_view key_path) const;
   /// Place of the key, or of the nearest table around it, or the top of the file.
   std::string place(std::string_view key_path) const;
 };

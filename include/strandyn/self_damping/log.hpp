@@ -1,29 +1,45 @@
 #pragma once
-/// \file The finished points of a study, in a file of one JSON line each: {"point": 3, "row": {...}}. The first line
-/// names the study, so that a restarted one takes up its own points and no others; a last line that was cut is dropped.
+/// \file The finished points of a study, in a file of one JSON line each:
+///
+///     {"point":3,"row":{...},"checksum":"0f3a..."}
+///
+/// The first line names the study; the checksum goes over the line before it and over that name, so that a resumed
+/// study takes up its own points as they were written and no others. A last line without its end is what a kill leaves
+/// and is dropped in silence; every other line that does not hold is told, and its point computed again.
 
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "strandyn/self_damping/method.hpp"
 
 namespace strandyn::self_damping {
 
+inline constexpr const char* log_name = "points.jsonl";
+
+struct LogOptions {
+  std::filesystem::path folder;  ///< empty: no file
+  std::string study;             ///< study_identity
+  bool resume = false;           ///< take up what is there; else it is replaced
+};
+
 class PointLog {
  public:
-  /// Reads what is there of this study and opens the file for more; a folder that is empty means no file.
-  PointLog(const std::filesystem::path& folder, const std::string& study);
+  /// Reads what is there of this study where it is to be resumed, and opens the file for more.
+  PointLog(const LogOptions& options, const std::vector<Point>& points);
 
   const std::map<std::size_t, PointRow>& rows() const { return rows_; }
+  /// What was found wrong with the file, in words for the user.
+  const std::optional<std::string>& fault() const { return fault_; }
   /// Adds a finished point; it is in the file when this returns. Throws FileError.
   void add(std::size_t point, const PointRow& row);
   /// Writes all points in order and marks the study as finished: the next run computes anew.
   void finish();
 
  private:
-  void read();
+  void read(const std::vector<Point>& points);
   void write();
 
   std::filesystem::path path_;
@@ -31,6 +47,7 @@ class PointLog {
   std::ofstream file_;  ///< open for more
   bool finished_ = false;
   std::map<std::size_t, PointRow> rows_;
+  std::optional<std::string> fault_;
 };
 
 /// What the numbers of a point depend on: the program, its vector target (`machine`), and the case without what only

@@ -26,7 +26,9 @@ struct Hooks {
   std::function<void(std::string_view)> announce = {};              ///< what is going to be integrated, before it is
   /// Where a study of many points keeps the finished ones, and a long run its cycles and checkpoints; empty: nowhere.
   std::filesystem::path folder = {};
-  bool resume = false;  ///< go on from the checkpoint in `folder`, if there is one
+  bool resume = false;  ///< go on from the checkpoint or the finished points in `folder`, if there are any
+  /// Of files that are not as they were left: no part of the results, which are those without the damage.
+  std::function<void(std::string_view)> warn = {};
 };
 
 struct Cost {

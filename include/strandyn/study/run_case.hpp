@@ -8,6 +8,8 @@ namespace strandyn::study {
 
 /// The file in the folder of a run that has not come to its end.
 inline constexpr const char* checkpoint_name = "checkpoint.bin";
+/// The file from which this case resumes: checkpoint.bin, or the finished points of a study.
+const char* resumes_from(const casefile::Scene& scene);
 
 struct CaseResult : Outcome {
   std::vector<casefile::Verdict> verdicts;  ///< of [accept]
