@@ -4,14 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace strandyn::casefile {
 
+namespace {
+
+/// Sizes whose squares and products are still numbers; nothing that can be measured lies beyond.
+constexpr double smallest_size = 1e-30, largest_size = 1e30;
+/// Of anything that is counted: a count times another one still fits into 64 bits.
+constexpr double most_of_a_count = 1e9;
+
+}  // namespace
+
 std::optional<std::string> find_fault(const Number& number, double x) {
   if (!std::isfinite(x)) return "must be a finite number";
-  if (number.whole && (x != std::floor(x) || std::abs(x) > std::numeric_limits<int>::max())) {
-    return "must be a whole number";
+  if (number.whole && x != std::floor(x)) return "must be a whole number";
+  if (number.whole && std::abs(x) > most_of_a_count) {
+    return fmt::format("must be at most {:.0f}", std::min(number.at_most.value_or(most_of_a_count), most_of_a_count));
+  }
+  if (x != 0 && (std::abs(x) < smallest_size || std::abs(x) > largest_size)) {
+    return fmt::format("must be 0, or of a size between {:g} and {:g}", smallest_size, largest_size);
   }
   if (number.above && !(x > *number.above)) return fmt::format("must be above {}", *number.above);
   if (number.at_least && !(x >= *number.at_least)) return fmt::format("must be at least {}", *number.at_least);

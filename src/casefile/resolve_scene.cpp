@@ -110,6 +110,16 @@ void check_what_is_left_out(const Scene& scene) {
          "remove one of the two: axial unknowns are condensed for transverse motion about a straight level span only");
 }
 
+/// A law of given stiffness that the tension would stretch beyond what beams of small strain can tell.
+void check_strain(const Scene& scene) {
+  constexpr double most = 0.5;
+  const std::optional<double> EA = scene.section.EA, tension = scene.span->tension;
+  if (!EA || !tension || *tension <= most * *EA) return;
+  refuse(scene.source, "section.EA_N",
+         fmt::format("the tension of {:g} N would stretch the span by {:g} of its length", *tension, *tension / *EA),
+         fmt::format("give at least {:g} N, or a smaller tension", *tension / most));
+}
+
 void check_span(const Scene& scene) {
   const Span& span = *scene.span;
   if (span.tension_rts) check_rated_strength(scene, "span.tension_rts");
@@ -135,6 +145,7 @@ void check_span(const Scene& scene) {
     refuse(scene.source, "span", "its tension is missing",
            "give exactly one of tension_kN (0 for none), tension_rts, unstressed_length_m");
   }
+  check_strain(scene);
   check_what_is_left_out(scene);
   if ((needs_mass(scene.analysis) || span.gravity) && !mass_per_length(scene)) {
     const char* path =

@@ -2,9 +2,11 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -62,6 +64,23 @@ class TemporaryFile {
   bool renamed_ = false;
 };
 
+/// What a program that was killed has left half written; a program that still runs goes on with its own.
+void take_away_parts(const std::filesystem::path& folder) {
+  constexpr std::string_view ending = ".part";
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with('.') || !name.ends_with(ending)) continue;
+    const std::string rest = name.substr(0, name.size() - ending.size());
+    const std::size_t dot = rest.rfind('.');
+    pid_t writer = 0;
+    const char* end = rest.data() + rest.size();
+    const auto [stop, fault] = std::from_chars(rest.data() + dot + 1, end, writer);
+    if (fault != std::errc{} || stop != end || writer <= 0) continue;
+    if (writer != ::getpid() && ::kill(writer, 0) != 0 && errno == ESRCH) std::filesystem::remove(entry.path(), error);
+  }
+}
+
 }  // namespace
 
 void create_folder(const std::filesystem::path& path) {
@@ -74,6 +93,7 @@ void create_folder(const std::filesystem::path& path) {
   if (::access(path.c_str(), W_OK | X_OK) != 0) {
     throw FileError(fmt::format("cannot write into the folder {}: {}", path.string(), cause(errno)));
   }
+  take_away_parts(path);
 }
 
 void write_file(const std::filesystem::path& path, std::string_view content) {

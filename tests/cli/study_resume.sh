@@ -29,7 +29,7 @@ antinode_amplitude_mm = 3
 tension_rts = 0.2
 method = "foti-2018"
 CASE
-run=("$program" run "$scratch/case.toml" --quiet)
+run=("$program" run "$scratch/case.toml" --quiet --resume)
 points() { printf '%s/points.jsonl' "$scratch/$1"; }
 finished_points() { grep -s '"row"' "$(points "$1")" | wc -l; }
 

@@ -1,0 +1,71 @@
+#include "room.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+namespace strandyn::study {
+namespace {
+
+// [B] by peak memory of runs of Curlew: over 1000 and 8000 elements, over 36 and 360 000 points of one section (3600 of
+// compliant contacts). A point is one of a section; an element has several sections, and each has all points.
+constexpr double per_element = 4e3;
+constexpr double per_point = 120, per_point_of_element = 50;
+constexpr double per_compliant_point = 1000, per_compliant_point_of_element = 600;
+constexpr double per_study_point = 2e3;  // a row, its line, and its entry in the tables
+constexpr double usual_elements = 100;   // where the program chooses
+
+/// [B] what the machine has, or what the shell allows.
+double memory_there_is() {
+  const double pages = static_cast<double>(::sysconf(_SC_PHYS_PAGES));
+  double memory = pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+    memory = std::min(memory, static_cast<double>(limit.rlim_cur));
+  }
+  return memory;
+}
+
+void require(const casefile::Scene& scene, std::string_view key, double count, double bytes_each,
+             std::string_view less) {
+  const double memory = memory_there_is();
+  if (count * bytes_each <= memory) return;
+  casefile::refuse(scene.source, key,
+                   fmt::format("would take about {:.3g} GB of memory, and there are {:.3g} GB",
+                               count * bytes_each / 1e9, memory / 1e9),
+                   fmt::format("{} {:.0f}", less, memory / bytes_each));
+}
+
+double count_of(std::initializer_list<std::size_t> lists) {
+  double count = 0;
+  for (const std::size_t size : lists) count += static_cast<double>(size);
+  return count;
+}
+
+}  // namespace
+
+void refuse_without_room(const casefile::Scene& scene) {
+  const bool compliant = scene.section.law == casefile::Law::compliant;
+  const double points = scene.section.points;
+  const double of_point = compliant ? per_compliant_point : per_point;
+  require(scene, "section.points", points, of_point, "give at most");
+  if (scene.span) {
+    const double elements = scene.span->elements ? *scene.span->elements : usual_elements;
+    const double of_both = compliant ? per_compliant_point_of_element : per_point_of_element;
+    if (elements > points) {
+      require(scene, "span.elements", elements, per_element + points * of_both, "give at most");
+    } else {
+      require(scene, "section.points", points, of_point + elements * of_both, "give at most");
+    }
+  }
+  if (!scene.is<casefile::SelfDampingAnalysis>()) return;
+  const auto& a = scene.as<casefile::SelfDampingAnalysis>();
+  const double grid =
+      count_of({a.frequencies.size(), a.modes.size()}) * count_of({a.tensions.size(), a.tensions_rts.size()}) *
+      count_of({a.amplitudes_over_diameter.size(), a.antinode_amplitudes.size(), a.antinode_velocities.size()});
+  require(scene, "analysis", grid, per_study_point, "its grid has too many points: give at most");
+}
+
+}  // namespace strandyn::study
