@@ -30,26 +30,22 @@ void members(V& v, LogLine& l) {
   v.value("finished", l.finished, {.what = "the study has come to its end"});
 }
 
-constexpr std::string_view seal_begin = ",\"checksum\":\"";
-constexpr std::string_view seal_end = "\"}";
-
-/// What is written in place of the closing brace of a line.
-std::string seal_of(std::string_view line, const std::string& study) {
-  return fmt::format("{}{:016x}{}", seal_begin, checksum(study + std::string(line)), seal_end);
+/// What is written in place of the opening brace of a line whose rest this is.
+std::string seal_of(std::string_view rest, const std::string& study) {
+  return fmt::format("{{\"checksum\":\"{:016x}\",", checksum(study + std::string(rest)));
 }
 
 /// A line with its checksum and its end.
 std::string text_of(const LogLine& line, const std::string& study) {
-  std::string text = results::to_text(results::to_value(line), -1);
-  text.pop_back();
-  return text + seal_of(text, study) + '\n';
+  const std::string rest = results::to_text(results::to_value(line), -1).substr(1);
+  return seal_of(rest, study) + rest + '\n';
 }
 
 /// The line again, if it is as it was written.
 std::optional<LogLine> line_of(std::string_view text, const std::string& study) {
-  const std::size_t cut = text.rfind(seal_begin);
-  if (cut == std::string_view::npos || text.substr(cut) != seal_of(text.substr(0, cut), study)) return std::nullopt;
-  const auto value = results::from_line(std::string(text.substr(0, cut)) + '}');
+  const std::string_view rest = text.substr(std::min(text.size(), seal_of("", study).size()));
+  if (!text.starts_with(seal_of(rest, study))) return std::nullopt;
+  const auto value = results::from_line('{' + std::string(rest));
   LogLine line;
   if (!value || results::RecordReader::fill(line, *value) > 0) return std::nullopt;
   return line;

@@ -85,7 +85,7 @@ resumed() {
 resumed no 's/^//'
 [ ! -s "$scratch/said" ] || fail "a log without damage is warned of"
 resumed yes '2s/"row":{.*}}/"row":{}}/'
-resumed yes '2s/"row":{.*},"check/"row":{},"check/'
+resumed yes '2s/.$//'
 resumed yes '2s/"point":0/"point":99/'
 resumed yes '3s/"self_damping_W_per_m":[0-9.e+-]*/"self_damping_W_per_m":123.0/'
 resumed yes '2s/.*/[[[[[[[[/'

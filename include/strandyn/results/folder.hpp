@@ -8,7 +8,8 @@
 namespace strandyn::results {
 
 /// Creates the folder and its parents where they are missing, and makes sure that files can be written into it: a run
-/// learns at its start, not at its end, that its results have no place.
+/// learns at its start, not at its end, that its results have no place. Takes away what a killed program has left half
+/// written there.
 void create_folder(const std::filesystem::path& path);
 
 /// Replaces the file in one step (temporary file beside it, flushed to disk, renamed): after a crash or on a full disk

@@ -1,9 +1,9 @@
 #pragma once
 /// \file The finished points of a study, in a file of one JSON line each:
 ///
-///     {"point":3,"row":{...},"checksum":"0f3a..."}
+///     {"checksum":"0f3a...","point":3,"row":{...}}
 ///
-/// The first line names the study; the checksum goes over the line before it and over that name, so that a resumed
+/// The first line names the study; the checksum goes over the line behind it and over that name, so that a resumed
 /// study takes up its own points as they were written and no others. A last line without its end is what a kill leaves
 /// and is dropped in silence; every other line that does not hold is told, and its point computed again.
 
