@@ -96,8 +96,8 @@ class BlockTridiagonalLU {
   bool factorize(const BlockTridiagonal<B>& a) {
     const std::size_t n = a.nodes();
     inverse_.resize(n);
-    lower_.resize(n);
-    upper_.resize(n);
+    lower_.resize(n, Block::Zero());  // the first lower and the last upper one are written to checkpoints, too
+    upper_.resize(n, Block::Zero());
     // What is not finite stays so in every sum: one look at the end is enough.
     double sum = 0;
     for (std::size_t i = 0; i < n; ++i) {
