@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "parts.hpp"
+#include "strandyn/model/mesh.hpp"
 
 namespace strandyn::build {
 
@@ -34,7 +35,7 @@ model::Support support(std::size_t node, casefile::Support kind) {
 /// The node at a distance [m] from the left support.
 std::size_t node_at(const casefile::Scene& scene, const BuiltSpan& built, double at, const std::string& key) {
   const std::size_t node = model::nearest_node(built.model, at);
-  if (std::abs(model::arc_lengths(built.model)[node] - at) > 1e-9 * built.length) {
+  if (std::abs(model::arc_lengths(built.model)[node] - at) > model::same_place(built.length)) {
     casefile::refuse(scene.source, key, "the mesh is too coarse to have a node there",
                      "give more [span] elements, or move it to a support or to another load");
   }

@@ -45,6 +45,12 @@ std::vector<double> stations(const casefile::Scene& scene) {
     if (motion.at) at.push_back(*motion.at);
   }
   for (const casefile::Body& body : scene.bodies) at.push_back(body.at);
+  std::visit(
+      [&](const auto& analysis) {
+        if constexpr (requires { analysis.probes; })
+          at.insert(at.end(), analysis.probes.begin(), analysis.probes.end());
+      },
+      scene.analysis);
   return at;
 }
 
@@ -112,8 +118,8 @@ std::vector<double> polyline_positions(const casefile::Scene& scene) {
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
     model::MeshOptions options{.length = legs[leg], .elements = share[leg], .stations = {}};
     for (double s : wanted) {
-      const double rounding = 1e-9 * legs[leg];  // a corner's distance is written with few digits
-      if (s > start + rounding && s < start + legs[leg] - rounding) options.stations.push_back(s - start);
+      const double apart = model::same_place(legs[leg]);  // a corner is a node already
+      if (s > start + apart && s < start + legs[leg] - apart) options.stations.push_back(s - start);
     }
     const std::vector<double> nodes = model::span_mesh(options);
     for (std::size_t i = 1; i < nodes.size(); ++i) positions.push_back(start + nodes[i]);

@@ -23,7 +23,9 @@ std::optional<std::string> find_fault(const Number& number, double x) {
     return fmt::format("must be at most {:.0f}", std::min(number.at_most.value_or(most_of_a_count), most_of_a_count));
   }
   if (x != 0 && (std::abs(x) < smallest_size || std::abs(x) > largest_size)) {
-    return fmt::format("must be 0, or of a size between {:g} and {:g}", smallest_size, largest_size);
+    const bool may_be_zero = !number.above || *number.above < 0;
+    return fmt::format("must be {}of a size between {:g} and {:g}", may_be_zero ? "0, or " : "", smallest_size,
+                       largest_size);
   }
   if (number.above && !(x > *number.above)) return fmt::format("must be above {}", *number.above);
   if (number.at_least && !(x >= *number.at_least)) return fmt::format("must be at least {}", *number.at_least);

@@ -52,7 +52,8 @@ void meet_stations(std::vector<double>& nodes, std::vector<double> stations) {
       const bool closer = std::isnan(nearest) || std::abs(nodes[i] - station) < std::abs(nearest - station);
       if (nodes[i] > from.back() && closer) nearest = nodes[i];
     }
-    if (std::isnan(nearest) || station <= to.back() || station >= nodes.back()) continue;
+    const double apart = same_place(nodes.back() - nodes.front());
+    if (std::isnan(nearest) || station - to.back() <= apart || nodes.back() - station <= apart) continue;
     from.push_back(nearest);
     to.push_back(station);
   }

@@ -121,6 +121,17 @@ TEST_CASE("mesh: stations are nodes, to the last digit, and their neighbours mak
   }
 }
 
+TEST_CASE("mesh: places that differ by rounding are one place and places a millimetre apart are two") {
+  MeshOptions options = laboratory_span();
+  options.stations = {3.333333, 3.333334, 3.3333331, 3e-4, 29.9998};
+  const std::vector<double> nodes = span_mesh(options);
+  CHECK(std::count(nodes.begin(), nodes.end(), 3.333333) == 1);
+  for (std::size_t i = 1; i < nodes.size(); ++i) CHECK(nodes[i] - nodes[i - 1] > 1e-2);
+  options.stations = {3.333, 3.334};
+  const std::vector<double> two = span_mesh(options);
+  for (const double station : options.stations) CHECK(std::count(two.begin(), two.end(), station) == 1);
+}
+
 TEST_CASE("mesh: stations at or beyond the ends change nothing") {
   MeshOptions options = laboratory_span();
   const auto without = span_mesh(options);

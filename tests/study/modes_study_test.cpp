@@ -83,6 +83,28 @@ TEST_CASE("modes near a frequency are those whose frequencies are nearest, not t
   for (std::size_t i = 0; i < 10; ++i) check_close(f[i].get<double>(), expected[i / 2], {.relative = 1e-4});
 }
 
+TEST_CASE("modes of a span with a load and a body a rounding apart are those with both at one place") {
+  const auto frequencies = [](const char* place_of_body) {
+    return test::run(casefile::read_scene_text(
+                         fmt::format("[conductor]\ncatalogue = \"curlew\"\n[section]\nlaw = \"stick\"\n"
+                                     "[span]\nlength_m = 30\ntension_rts = 0.15\nelements = 80\n"
+                                     "[[load]]\ntype = \"harmonic-force\"\nat_m = 3.333333\namplitude_N = 60\n"
+                                     "frequency_Hz = 24.4\n[[body]]\nat_m = {}\nmass_kg = 0.2\n"
+                                     "[analysis]\ntype = \"modes\"\ncount = 3\n",
+                                     place_of_body),
+                         "test.toml"))
+        .summary["frequencies_Hz"];
+  };
+  const auto one = frequencies("3.333333");
+  const auto near = frequencies("3.333334");
+  const auto millimetre = frequencies("3.334333");
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(near[i] == one[i]);
+    check_close(millimetre[i].get<double>(), one[i].get<double>(), {.relative = 1e-4});
+  }
+  check_close(one[0].get<double>(), 1.890715, {.relative = 1e-6});
+}
+
 namespace {
 
 /// Asked whether to stop: says yes after so many times, and keeps the longest time of work between two askings.

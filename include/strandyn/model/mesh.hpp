@@ -6,6 +6,12 @@
 
 namespace strandyn::model {
 
+/// [m] Places no farther apart are one place, and no element made for a place is shorter: half a millimetre, or a
+/// thousandth of a span below half a metre. What lies between them is rounding of what somebody typed.
+constexpr double same_place(double length) {
+  return length < 0.5 ? 1e-3 * length : 5e-4;
+}
+
 struct MeshOptions {
   double length = 0;         ///< [m]
   std::size_t elements = 0;  ///< >= 1
@@ -13,7 +19,7 @@ struct MeshOptions {
   bool grade_left = false;   ///< is the left end graded
   bool grade_right = false;
   double growth = 0.25;          ///< [-] how fast the size grows with the distance from a graded end
-  std::vector<double> stations;  ///< [m] places that must be nodes, such as load points
+  std::vector<double> stations;  ///< [m] places that must be nodes, such as load points; of several near ones the first
 };
 
 /// Positions [m] of `elements` + 1 nodes from 0 to length. Sizes follow min(end_size + growth * distance, middle), with
