@@ -122,8 +122,8 @@ TEST_CASE("the steps that a broken bound of the numerical share names hold it") 
 TEST_CASE("a run says what its integrator will take before it takes a step") {
   std::string said;
   bool begun = false;
-  const study::Hooks hooks{.stop = [&] { return begun = true; },
-                           .progress = {},
+  const study::Hooks hooks{.stop = [&] { return !said.empty(); },
+                           .progress = [&](double, std::string_view) { begun = true; },
                            .announce =
                                [&](std::string_view words) {
                                  said = words;
@@ -132,9 +132,11 @@ TEST_CASE("a run says what its integrator will take before it takes a step") {
   test::run(span_scene(shaker), hooks);
   CHECK(said.find("200 steps per cycle: the integrator's own damping ratio will be 7.75e-06") != std::string::npos);
   begun = false;
+  said.clear();
   test::run(span_scene(shaker, {"integrator.step=auto"}), hooks);
   CHECK(said.find("chosen for a numerical share of 0.5 %") != std::string::npos);
   begun = false;
+  said.clear();
   test::run(span_scene(shaker, {"integrator.step=adaptive"}), hooks);
   CHECK(said.find("their damping shows in the ledger only") != std::string::npos);
 }

@@ -153,13 +153,13 @@ TEST_CASE("a sweep goes through the resonance of the same amplitude that asks fo
 }
 
 TEST_CASE("a sweep that is stopped keeps its points") {
-  int asked = 0;
+  int heard = 0;
   const test::Run result =
       test::run(casefile::read_scene_text(
                     span_and("tension_rts = 0.2\n[[load]]\ntype = \"harmonic-force\"\nat_m = 0.4\namplitude_N = 2\n"
                              "frequency = \"mode 4\"\n[analysis]\ntype = \"sweep\"\n"),
                     "test.toml"),
-                {.stop = [&] { return ++asked > 3; }, .progress = {}});
+                {.stop = [&] { return heard >= 4; }, .progress = [&](double, std::string_view) { ++heard; }});
   CHECK(result.exit_code == ExitCode::interrupted);
   CHECK(result.summary["sweep"].size() == 4);
   CHECK_FALSE(result.summary.contains("backbone"));
