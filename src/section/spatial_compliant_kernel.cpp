@@ -89,8 +89,7 @@ HWY_INLINE void march(const SpatialCompliantCoefficients& c, const Trial& trial,
   const double* springs = trial.cells;
   for (std::size_t n = 0; n < c.cosine.size(); ++n) {
     const double here = static_cast<double>(n);
-    const Place place{.index = n,
-                      .cosine = c.cosine[n],
+    const Place place{.cosine = c.cosine[n],
                       .sine = c.sine[n],
                       .share = {share_before(trial.neutral, here), share_before(opposite, here)}};
     const V along = hn::Mul(set(place.cosine), trial.step2);

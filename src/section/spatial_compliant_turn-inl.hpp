@@ -38,7 +38,6 @@ class LaneRows {
 
 /// The two cells of a march: cosine and sine of the first, the share of each that lies before the neutral plane.
 struct Place {
-  std::size_t index;
   double cosine, sine;
   Sides share;
 };
