@@ -71,7 +71,6 @@ CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, co
     const double turns = std::max(std::abs(std::sin(wire.lay_angle)), 1e-9) / wire.helix_radius;
     CompliantCoefficients::Layer layer;
     layer.k_w = wire.EA_wire() * turns * turns;
-    layer.force_per_twist = wire.EA_wire() * wire.helix_radius * std::sin(wire.lay_angle) * std::cos(wire.lay_angle);
     layer.wires_per_length = wire.wires / std::cos(wire.lay_angle);
     layer.own_load = p.kappa * p.half_step;
     if (p.mu_int > 0) layer.own_load = std::min(layer.own_load, largest_feedback / p.mu_int);
@@ -85,10 +84,11 @@ CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, co
     layer.face = faces[j];
     const conductor::SlipCurve curve = curve_of(layer.face, usual[j].f_int);
     for (double phase : phases) {
-      for (double side : {0.0, options.shifted_chains ? 0.5 : 0.0}) {
-        plan.phase = phase + side - std::floor(phase + side);
-        layer.chains.push_back(conductor::spring_chain(curve, plan));
-      }
+      const double other = options.shifted_chains ? phase + 0.5 : phase;
+      plan.phase = phase;
+      conductor::ChainPlan of_other = plan;
+      of_other.phase = other - std::floor(other);
+      layer.chains.push_back({conductor::spring_chain(curve, plan), conductor::spring_chain(curve, of_other)});
     }
     c.layers.push_back(std::move(layer));
   }
@@ -113,17 +113,22 @@ void contact_stiffness(const CompliantCoefficients& c, double strain, const Stif
   }
 }
 
+History pressed_history(const CompliantCoefficients& c, const ContactLayout& layout, const Field& strains) {
+  History history = kernel::blank_history(strains.points(), layout.rows_of_block);
+  for (std::size_t i = 0; i < strains.points(); ++i) {
+    double* at = history.data.data() + i / block_lanes * layout.rows_of_block * block_lanes + i % block_lanes;
+    at[layout.peak_strain * block_lanes] = strains[axial][i];
+    contact_stiffness(c, strains[axial][i], {.value = at + layout.stiffness * block_lanes});
+  }
+  return history;
+}
+
 }  // namespace compliant_kernel
 
 History CompliantLaw::start(const Field& strains) const {
-  const std::size_t block_size = compliant_kernel::rows_of_block(c_) * block_lanes;
-  History history = kernel::blank_history(strains.points(), compliant_kernel::rows_of_block(c_));
-  for (std::size_t i = 0; i < strains.points(); ++i) {
-    double* at = history.data.data() + i / block_lanes * block_size + i % block_lanes;
-    at[compliant_kernel::peak_strain * block_lanes] = strains[axial][i];
-    compliant_kernel::contact_stiffness(c_, strains[axial][i],
-                                        {.value = at + compliant_kernel::stiffness * block_lanes});
-  }
+  using namespace compliant_kernel;
+  History history = pressed_history(
+      c_, {.rows_of_block = rows_of_block(c_), .peak_strain = peak_strain, .stiffness = stiffness}, strains);
   // A strand that is brought straight to a curvature slips on the way; that is part of getting there, not of a step.
   StepEnergy ignored(strains.points());
   commit(history, strains, ignored);

@@ -138,9 +138,8 @@ struct Springs {
   }
 };
 
-/// `chains` of the two sides.
-HWY_INLINE Traction traction_of(const SpringChain* chains, const double* f, std::size_t other_side, const Sides& K_slip,
-                                const Sides& limit) {
+HWY_INLINE Traction traction_of(const std::array<SpringChain, 2>& chains, const double* f, std::size_t other_side,
+                                const Sides& K_slip, const Sides& limit) {
   const V zero = hn::Zero(tag);
   const Sides reach = mul(limit, both(still_stuck));
   Springs t{zero, zero, zero};
@@ -226,7 +225,7 @@ HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, W
     const Sides mu = both(c.planar.layers[i].mu_int);
     const Sides limit = mul(mu, load);
     const Sides K = both(hn::Load(tag, cell.stiffness + i * block_lanes));
-    const Traction t = traction_of(&layer.chains[2 * cell.angle], cell.springs + i * rows + first_spring * block_lanes,
+    const Traction t = traction_of(layer.chains[cell.angle], cell.springs + i * rows + first_spring * block_lanes,
                                    layers * rows, mul(K, across), limit);
     const Sides q = mul_add(both(layer.traction_of_outer), outside, t.sum);
     const Sides residual = sub(q, wanted);

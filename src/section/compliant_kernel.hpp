@@ -43,6 +43,13 @@ struct StiffnessOut {
 };
 void contact_stiffness(const CompliantCoefficients& c, double strain, const StiffnessOut& out);
 
+/// Where a history keeps what its contacts remember of the axial strain.
+struct ContactLayout {
+  std::size_t rows_of_block, peak_strain, stiffness;
+};
+/// A history of springs at rest, contacts pressed by the axial part of the strains.
+History pressed_history(const CompliantCoefficients& c, const ContactLayout& layout, const Field& strains);
+
 void respond(const CompliantCoefficients& c, const double* history, const Strains& strains, const Response& response);
 void commit(const CompliantCoefficients& c, double* history, const Strains& strains, const Energies& energies);
 

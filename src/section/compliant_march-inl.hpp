@@ -74,7 +74,7 @@ HWY_INLINE void hold_slips(const CompliantCoefficients& c, const Feed& feed, con
     const PlanarLayer& p = c.planar.layers[i];
     const Layer& layer = c.layers[i];
     const Sides demand = mul(both(p.k), feed.e);
-    const double straight = p.force_per_strain * feed.eps + layer.force_per_twist * feed.twist;
+    const double straight = p.force_per_strain * feed.eps + p.force_per_twist * feed.twist;
     Sides load = mul_add(both(p.kappa), by.edge[i], both(p.kappa * straight));
     load = mul_add(own_load(layer), demand, add(load, handed));
     if (i == feed.mean_of) load = sub(load, own_load(layer));
@@ -153,7 +153,7 @@ HWY_INLINE void settle(const CompliantCoefficients& c, const Cell& cell, const W
   double* f_other = f + c.layers.size() * rows;
   for (std::size_t i = 0; i < c.layers.size(); ++i, f += rows, f_other += rows) {
     const PlanarLayer& p = c.planar.layers[i];
-    const SpringChain* chains = &c.layers[i].chains[2 * cell.angle];
+    const std::array<SpringChain, 2>& chains = c.layers[i].chains[cell.angle];
     const Rigidity K(hn::Load(tag, K_before + i * block_lanes), hn::Load(tag, cell.stiffness + i * block_lanes));
     const V weight = set(share * p.weight * c.layers[i].k_w / p.k);
     const Sides total = w.traction[i];

@@ -32,6 +32,7 @@ PlanarCoefficients planar_coefficients(const conductor::Strand& strand, int poin
     layer.weight = wire.wires * wire.helix_radius * wire.helix_radius * g.cos_lay / g.sin_lay * c.mean_weight;
     layer.half_step = wire.helix_radius * dtheta / g.sin_lay / 2;
     layer.force_per_strain = wire.EA_wire() * g.cos_lay * g.cos_lay;
+    layer.force_per_twist = wire.EA_wire() * wire.helix_radius * std::sin(wire.lay_angle) * g.cos_lay;
     layer.kappa = g.kappa;
     layer.c_ext = g.c_ext;
     layer.inverse_c_int = 1 / g.c_int;

@@ -29,16 +29,10 @@ SpatialCompliantLaw::SpatialCompliantLaw(const conductor::Strand& strand, const 
 }
 
 History SpatialCompliantLaw::start(const Field& strains) const {
-  namespace kernel_of = spatial_compliant_kernel;
-  const std::size_t block_size = kernel_of::rows_of_block(c_) * block_lanes;
-  History history = kernel::blank_history(strains.points(), kernel_of::rows_of_block(c_));
-  for (std::size_t i = 0; i < strains.points(); ++i) {
-    double* at = history.data.data() + i / block_lanes * block_size + i % block_lanes;
-    at[kernel_of::peak_strain * block_lanes] = strains[axial][i];
-    compliant_kernel::contact_stiffness(c_.angle, strains[axial][i],
-                                        {.value = at + kernel_of::stiffness * block_lanes});
-  }
-  // A strand that is brought straight to a curvature slips on the way; that is part of getting there, not of a step.
+  using namespace spatial_compliant_kernel;
+  History history = compliant_kernel::pressed_history(
+      c_.angle, {.rows_of_block = rows_of_block(c_), .peak_strain = peak_strain, .stiffness = stiffness}, strains);
+  // As in the plane: getting to a curvature is no step.
   StepEnergy ignored(strains.points());
   commit(history, strains, ignored);
   return history;

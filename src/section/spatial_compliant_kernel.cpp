@@ -62,7 +62,7 @@ HWY_INLINE void load_of(const SpatialCompliantCoefficients& c, const Point& to, 
     const PlanarLayer& p = c.angle.planar.layers[i];
     const Layer& layer = c.angle.layers[i];
     V alone = hn::MulAdd(set(p.kappa * p.force_per_strain), to[Component::axial], set(p.inner_residual));
-    alone = hn::MulAdd(set(p.kappa * layer.force_per_twist), to[Component::torsion], alone);
+    alone = hn::MulAdd(set(p.kappa * p.force_per_twist), to[Component::torsion], alone);
     const Sides edge = mul_add(both(p.kappa), bench.edge[i], both(alone));
     bench.wires.load.set(i, neg_mul_add(own_load(layer), both(bench.sums.mean[i]), edge));
   }

@@ -36,7 +36,6 @@ SpatialCoefficients spatial_coefficients(const conductor::Strand& strand, const 
     const double sine = std::sin(wire.lay_angle);
     SpatialCoefficients::Layer layer{planar.layers[i]};
     layer.weight /= 2;
-    layer.force_per_twist = wire.EA_wire() * wire.helix_radius * sine * contact[j].cos_lay;
     layer.stick_force = layer.half_step * layer.k / std::tan(c.dtheta / 2);
     layer.axial_weight = wire.wires * contact[j].cos_lay / options.points;
     layer.torsion_weight = wire.wires * wire.helix_radius * sine / options.points;

@@ -14,14 +14,13 @@ std::vector<solver::Mode> modes_across(const SpanAtRest& span, int count, const 
   return solver::transverse_modes(span.system, span.u, static_cast<std::size_t>(count), stop);
 }
 
-NumberedMode mode_near(const SpanAtRest& span, double frequency, const Stop& stop) {
+solver::Mode mode_near(const SpanAtRest& span, double frequency, const Stop& stop) {
   const auto away = [frequency](const solver::Mode& mode) { return std::abs(mode.frequency - frequency); };
   auto count = static_cast<int>(std::ceil(span.built.length / span.built.loop_length(frequency))) + 1;
   for (;; count *= 2) {
     const std::vector<solver::Mode> modes = modes_across(span, count, stop);
     if (modes.back().frequency < frequency) continue;
-    const auto nearest = std::ranges::min_element(modes, {}, away);
-    return {.mode = *nearest, .number = static_cast<int>(nearest - modes.begin()) + 1};
+    return *std::ranges::min_element(modes, {}, away);
   }
 }
 

@@ -62,9 +62,8 @@ ShakenSpan::ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, doub
     : span_(std::move(built)) {
   span_.apply_static_loads();
   set_proportional_damping(span_);
-  NumberedMode found = mode_near(span_, frequency, options.stop);
-  mode_ = std::move(found.mode);
-  mode_number_ = found.number;
+  mode_ = mode_near(span_, frequency, options.stop);
+  mode_number_ = static_cast<int>(mode_.number);
   places_.emplace(span_.built.model, span_.built.loop_length(mode_.frequency));
   setup_ = {.kind = shaker.moves ? solver::DriveKind::motion : solver::DriveKind::force,
             .drive = {.node = shaker.node, .unknown = Unknown::y},

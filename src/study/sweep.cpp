@@ -173,8 +173,8 @@ class Sweep final : public Analysis {
     return key.load ? named(scene_.loads[*key.load]) : named(scene_.motions[*key.motion]);
   }
 
-  void sweep(const span::ShakenSpan& shaken, const Hooks& hooks, const std::function<bool()>& stop,
-             SweepSummary& summary, Outcome& outcome) const {
+  void sweep(const span::ShakenSpan& shaken, const Hooks& hooks, const Stop& stop, SweepSummary& summary,
+             Outcome& outcome) const {
     const double linear = shaken.mode().frequency;
     const double from = keys_.from.value_or(linear * (1 - keys_.relative_width));
     const double to = keys_.to.value_or(linear * (1 + keys_.relative_width));
@@ -215,8 +215,8 @@ class Sweep final : public Analysis {
   }
 
   /// Resonances at equal parts of the amplitude that the drive reaches: the last one is that by another method.
-  void backbone(const span::ShakenSpan& shaken, const Hooks& hooks, const std::function<bool()>& stop,
-                SweepSummary& summary, Outcome& outcome) const {
+  void backbone(const span::ShakenSpan& shaken, const Hooks& hooks, const Stop& stop, SweepSummary& summary,
+                Outcome& outcome) const {
     std::vector<BackboneRow>& rows = summary.backbone.emplace();
     const double top = summary.resonance->antinode_amplitude;
     for (int i = 1; i <= keys_.backbone_points && !stop(); ++i) {

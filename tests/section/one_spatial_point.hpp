@@ -1,7 +1,10 @@
 #pragma once
 /// \file One section point of a spatial law, for tests that walk along a path by hand.
 
+#include <doctest/doctest.h>
+
 #include <array>
+#include <cmath>
 
 #include "strandyn/section/law.hpp"
 
@@ -74,5 +77,25 @@ class OneSpatialPoint {
   const section::Law& law_;
   section::History history_;
 };
+
+/// From 1e-12 to 1e2 1/m and back, slack or pulled, twisted either way: finite numbers and no gain of energy.
+inline void check_finite_anywhere(const section::Law& law) {
+  for (double eps : {-1e-2, 0.0, 1e-3}) {
+    for (double chi1 : {-1.0, 0.0, 1.0}) {
+      OneSpatialPoint point(law, {.eps = eps, .chi1 = chi1});
+      for (double chi : {1e-12, 1e-4, 0.05, 1e2, -0.05, 0.0}) {
+        const SpatialStrain to{.eps = eps, .chi1 = chi1, .chi2 = 0.6 * chi, .chi3 = -0.8 * chi};
+        const auto got = point.respond(to);
+        const auto loss = point.commit(to);
+        CHECK(std::isfinite(got.M2 + got.M3 + loss.stored + loss.quadrature_error));
+        for (const auto& row : got.tangent) {
+          for (double entry : row) CHECK(std::isfinite(entry));
+        }
+        CHECK(loss.dissipated >= 0);
+        CHECK(std::isfinite(loss.dissipated));
+      }
+    }
+  }
+}
 
 }  // namespace strandyn::test

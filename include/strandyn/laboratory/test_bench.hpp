@@ -9,6 +9,7 @@
 /// decay:   the shaker is let go: no force, or its point held where it was at rest.
 
 #include "strandyn/build/method.hpp"
+#include "strandyn/core/stop.hpp"
 #include "strandyn/laboratory/instruments.hpp"
 
 namespace strandyn::laboratory {
@@ -50,7 +51,7 @@ struct BenchOptions {
 };
 
 struct BenchHooks {
-  std::function<bool()> stop = {};                    ///< true: end early
+  Stop stop = {};                                     ///< true: end early
   std::function<void(const std::string&)> tell = {};  ///< how far, in words
 };
 

@@ -40,6 +40,7 @@
 ///
 /// Every evaluation marches: some spring always slips. For bending about two axes: spatial_compliant.hpp.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,7 +58,7 @@ struct CompliantOptions {
   double smallest_slip = 3e-5;  ///< [-] of u_star: the loss is cubic above some four times this, and dies out below
   double compliance_scale = 1;  ///< [-] multiplies the compliance of every contact; > 0
   /// Chains of the angles shifted against each other. If not, all angles have one chain: then turns of the grid are
-  /// exact in space, and the loss ripples by several per cent about the cube of a small amplitude.
+  /// exact in space, and the loss ripples by a tenth about the cube of a small amplitude.
   bool shifted_chains = true;
 };
 
@@ -71,12 +72,11 @@ struct CompliantCoefficients {
     double wires_per_length = 0;   ///< [-] n/cos a: length of its wires per length of strand
     double own_load = 0;           ///< [-] kappa dS/2: what a cell's own gradient adds to its load
     double load_of_outer = 0;      ///< [-] h: load handed in by the layer outside, per load of its inner contact
-    double force_per_twist = 0;    ///< [N m] in space: F_at = planar.force_per_strain eps + this chi1
     double traction_of_outer = 0;  ///< [-] a: h where the lays cross, -h where they are equal
     double slip_of_inner = 0;      ///< [-] c: what a slip of the layer inside adds to that of the interface
     conductor::Interface face;
-    /// Two per midpoint of a quarter turn: that of the first half turn, and that of the second.
-    std::vector<conductor::SpringChain> chains;
+    std::vector<std::array<conductor::SpringChain, 2>>
+        chains;  ///< at a midpoint of a quarter turn, of either half turn
   };
   PlanarCoefficients planar;
   std::vector<Layer> layers;  ///< outermost first, like planar.layers

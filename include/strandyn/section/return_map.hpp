@@ -35,6 +35,7 @@ struct PlanarCoefficients {
     double weight = 0;            ///< [m^2] C_j times 2/N: what a point of one quarter turn stands for in a mean
     double half_step = 0;         ///< [m] dS/2
     double force_per_strain = 0;  ///< [N] F_at = this * eps
+    double force_per_twist = 0;   ///< [N m] in space F_at has this * chi1, too
     double kappa = 0;             ///< [1/m]
     double c_ext = 0;             ///< [-]
     double inverse_c_int = 0;     ///< [-]

@@ -13,6 +13,7 @@
 
 #include "strandyn/build/point.hpp"
 #include "strandyn/casefile/scene.hpp"
+#include "strandyn/core/stop.hpp"
 #include "strandyn/results/record.hpp"
 #include "strandyn/self_damping/readings.hpp"
 
@@ -61,7 +62,7 @@ struct Expected {
 
 /// How a method takes part in a run; called from any thread.
 struct Watch {
-  std::function<bool()> stop = {};                    ///< asked now and then by a point of many seconds
+  Stop stop = {};                                     ///< asked now and then by a point of many seconds
   std::function<void(const std::string&)> tell = {};  ///< how far it is
 };
 

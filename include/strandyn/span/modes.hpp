@@ -12,12 +12,8 @@ namespace strandyn::span {
 /// The lowest modes across the span, in its plane: what "mode 12" counts. None for 0.
 std::vector<solver::Mode> modes_across(const SpanAtRest& span, int count, const Stop& stop = {});
 
-struct NumberedMode {
-  solver::Mode mode;
-  int number = 0;  ///< from 1
-};
-/// The mode across the span, in its plane, that is nearest to `frequency` [Hz].
-NumberedMode mode_near(const SpanAtRest& span, double frequency, const Stop& stop = {});
+/// The mode across the span, in its plane, that is nearest to `frequency` [Hz]; its number is among those.
+solver::Mode mode_near(const SpanAtRest& span, double frequency, const Stop& stop = {});
 
 /// The shape with a deflection of 1 m at its largest antinode away from the ends: next to a clamp the crest of a mode
 /// is a little higher.

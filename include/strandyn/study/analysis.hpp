@@ -14,14 +14,14 @@
 #include <vector>
 
 #include "strandyn/casefile/scene.hpp"
-#include "strandyn/core/error.hpp"
+#include "strandyn/core/stop.hpp"
 #include "strandyn/results/figure.hpp"
 
 namespace strandyn::study {
 
 /// How the caller takes part in a run.
 struct Hooks {
-  std::function<bool()> stop;                                       ///< true: end early, keep what there is
+  Stop stop;                                                        ///< true: end early, keep what there is
   std::function<void(double fraction, std::string_view)> progress;  ///< how far, in words
   std::function<void(std::string_view)> announce = {};              ///< what is going to be integrated, before it is
   /// Where a study of many points keeps the finished ones, and a long run its cycles and checkpoints; empty: nowhere.

@@ -168,20 +168,12 @@ std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Mat
   }
 }
 
-/// Places of modes that ascend, by what the matrix K - sigma M has of negative eigenvalues just below each.
-void number(const Matrix& K, const Matrix& M, const std::vector<RawMode>& raw, std::vector<Mode>& modes) {
-  constexpr double below = 1e-7;  // relative: two of equal frequency share a place to count from
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (i > 0 && raw[i].eigenvalue - raw[first].eigenvalue <= below * std::abs(raw[i].eigenvalue)) {
-      modes[i].number = modes[first].number + i - first;
-      continue;
-    }
-    first = i;
-    Matrix shifted = K;
-    shifted.add(-raw[i].eigenvalue * (1 - below), M);
-    modes[i].number = math::negative_eigenvalues(shifted) + 1;
-  }
+/// How many modes lie below this one: the negative eigenvalues of K - sigma M.
+std::size_t modes_below(const Matrix& K, const Matrix& M, const RawMode& mode) {
+  constexpr double below = 1e-7;  // relative
+  Matrix shifted = K;
+  shifted.add(-mode.eigenvalue * (1 - below), M);
+  return math::negative_eigenvalues(shifted);
 }
 
 }  // namespace
@@ -215,7 +207,9 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
     }
     modes.push_back(describe(system.model(), M, mode));
   }
-  number(K, M, raw, modes);
+  // What is nearest to a frequency leaves no mode out in between.
+  const std::size_t before = options.near > 0 ? modes_below(K, M, raw.front()) : 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) modes[i].number = before + i + 1;
   return modes;
 }
 

@@ -19,7 +19,7 @@ const char* name_of(ModeKind kind);  ///< "in-plane"
 
 struct Mode {
   double frequency = 0;    ///< [Hz]
-  std::size_t number = 0;  ///< place among all modes of the chain, from 1
+  std::size_t number = 0;  ///< from 1, among all modes of the chain; of `transverse_modes` among those
   ModeKind kind = ModeKind::in_plane;
   system::Vector shape;   ///< all unknowns; scaled to 1 m (or 1 rad, a torsional one) where it is largest
   double modal_mass = 0;  ///< [kg] ([kg m^2]) of that scaling

@@ -13,6 +13,7 @@
 #include <functional>
 #include <vector>
 
+#include "strandyn/core/stop.hpp"
 #include "strandyn/core/words.hpp"
 #include "strandyn/system/system.hpp"
 
@@ -42,10 +43,10 @@ struct EquilibriumOptions {
   double tolerance = 1e-10;           ///< residual relative to the largest force at work
   double smallest_step = 1.0 / 1024;  ///< of a step, before it gives up
   Control control = Control::load;
-  ControlledPoint point = {};       ///< displacement control
-  double arc_step = 0;              ///< [m] Euclidean norm of all displacements; 0: that of a load step of 1/steps
-  double max_load_factor = 1;       ///< arc length: the path ends when it first passes this
-  std::function<bool()> stop = {};  ///< asked after each step: true ends the path early
+  ControlledPoint point = {};  ///< displacement control
+  double arc_step = 0;         ///< [m] Euclidean norm of all displacements; 0: that of a load step of 1/steps
+  double max_load_factor = 1;  ///< arc length: the path ends when it first passes this
+  Stop stop = {};              ///< asked after each step: true ends the path early
   /// Told of each step after its commit, with the state and the share of the path that is done.
   std::function<void(const EquilibriumStep&, const system::Vector& u, double done)> watch = {};
 };

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "strandyn/core/stop.hpp"
 #include "strandyn/observe/step_record.hpp"
 #include "strandyn/solver/time/method.hpp"
 
@@ -35,7 +36,7 @@ struct IntegratorOptions {
   /// IDA only: above 0, its own control of the error of a step, relative to the largest motion so far; `step` is then
   /// a bound. Cycle ends fall inside steps. 0: all steps are alike.
   double relative_error = 0;
-  std::function<bool()> stop = {};  ///< asked after each step: true ends the run early
+  Stop stop = {};  ///< asked after each step: true ends the run early
   Checkpoints checkpoints = {};
   std::vector<model::Drive> drives = {};  ///< what `model::Driven` loads and motions follow
 };
