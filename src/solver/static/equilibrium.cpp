@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "newton.hpp"
+#include "relaxation.hpp"
 #include "strandyn/core/error.hpp"
 
 namespace strandyn::solver {
@@ -151,15 +152,9 @@ class Walk {
 }  // namespace
 
 bool is_stable(const System& system, const Vector& u, double part) {
-  system::Matrix K = system.make_matrix();
-  Vector force = system.make_vector();
-  system.internal_force(u.data(), force.data(), K);
-  system.subtract_external_tangent({.time = 0, .part = part}, u.data(), K);
-  K.make_symmetric();
-  for (std::size_t i = 0; i < system.unknowns(); ++i) {
-    if (system.is_held(i)) K.pin(i);
-  }
-  return math::negative_eigenvalues(K) == 0;
+  const EquilibriumOptions options;
+  PathNewton newton(system, options, {});
+  return newton.is_minimum({.u = u, .factor = part});
 }
 
 EquilibriumSummary find_equilibrium(System& system, Vector& u, const EquilibriumOptions& options) {
@@ -172,25 +167,31 @@ EquilibriumSummary find_equilibrium(System& system, Vector& u, const Equilibrium
 system::Vector find_rest(System& system, const RestingShape& shape) {
   const EquilibriumOptions options;
   PathNewton newton(system, options, {});
-  const auto settle = [&](Vector start) -> std::optional<Vector> {
+  const auto settle = [&](Vector start, bool downhill) -> std::optional<Vector> {
     // Bent in one step from the straight to the answer, not by way of the guess: until both are the same.
     PathPoint point{.u = std::move(start), .factor = 0};
     for (int round = 0; round < 20; ++round) {
       system.begin(point.u);
-      const NewtonResult result = newton.iterate(point, {});
-      if (!result.converged || !is_stable(system, point.u, 0)) return std::nullopt;
-      if (result.iterations == 0) return point.u;
+      const NewtonResult result = newton.iterate(point, {.downhill = downhill});
+      if (!result.converged) return std::nullopt;
+      if (result.iterations == 0 || (result.iterations == 1 && result.is_rounding)) break;
     }
+    system.begin(point.u);
+    if (!is_stable(system, point.u, 0) || !bends_little(system, point.u)) return std::nullopt;
     return point.u;
   };
-  if (auto rest = settle(shape.guess)) return *rest;
+  if (auto rest = settle(shape.guess, false)) return *rest;
+  system.begin(shape.straight);
+  if (auto near = relax(system, newton, shape.guess)) {
+    if (auto rest = settle(*near, true)) return *rest;
+  }
   system.begin(shape.straight);
   const EquilibriumOptions steps{.steps = 32, .max_iterations = 50, .smallest_step = 1e-6};
   Walk weight(system, steps, {.stage = Stage::dead, .held_start = shape.straight}, shape.straight);
   weight.go();
   Walk supports(system, steps, {.stage = Stage::supports, .held_start = shape.straight}, weight.u());
   supports.go();
-  if (auto rest = settle(supports.u())) return *rest;
+  if (auto rest = settle(supports.u(), true)) return *rest;
   return supports.u();
 }
 

@@ -51,11 +51,29 @@ PathNewton::Load PathNewton::load_at(const PathPoint& point) const {
   return load;
 }
 
+void PathNewton::close(const PathPoint& point, const Condition& condition) {
+  system_.subtract_external_tangent(state(point.factor), point.u.data(), K_);
+  for (Eigen::Index i = 0; i < condition.drag.size(); ++i) {
+    K_.add_at_node(static_cast<std::size_t>(i), static_cast<std::size_t>(i), condition.drag(i));
+  }
+  system_.hold(K_);
+}
+
+bool PathNewton::is_minimum(const PathPoint& point) {
+  Vector internal = system_.make_vector();
+  system_.internal_force(point.u.data(), internal.data(), K_);
+  close(point, {});
+  K_.make_symmetric();
+  for (std::size_t i = 0; i < system_.unknowns(); ++i) {
+    if (system_.is_held(i)) K_.pin(i);
+  }
+  return math::negative_eigenvalues(K_) == 0;
+}
+
 std::optional<Vector> PathNewton::direction(const PathPoint& point) {
   Vector internal = system_.make_vector();
   system_.internal_force(point.u.data(), internal.data(), K_);
-  system_.subtract_external_tangent(state(point.factor), point.u.data(), K_);
-  system_.hold(K_);
+  close(point, {});
   if (!factors_.factorize(K_)) return std::nullopt;
   Vector slope = load_at(point).slope;
   factors_.solve(slope.data());
@@ -74,6 +92,47 @@ bool PathNewton::is_rounding(const Vector& correction, const Vector& u) const {
     if (!(std::abs(correction(i)) <= relative * scale)) return false;
   }
   return true;
+}
+
+double PathNewton::slope(const PathPoint& point, const Condition& condition, const Vector& along) const {
+  Vector force = system_.make_vector();
+  system_.internal_force(point.u.data(), force.data());
+  force -= load_at(point).force;
+  if (condition.drag.size() > 0) force += condition.drag.cwiseProduct(point.u - condition.base);
+  double slope = 0;
+  for (std::size_t i = 0; i < system_.unknowns(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (!system_.is_held(i)) slope += force(at) * along(at);
+  }
+  return slope;
+}
+
+double PathNewton::step_downhill(const PathPoint& point, const Condition& condition, const Vector& correction) const {
+  constexpr double enough = 0.5;  // what may be left of the slope
+  constexpr int most_trials = 12;
+  const auto slope_at = [&](double part) {
+    return slope({.u = point.u + part * correction, .factor = point.factor}, condition, correction);
+  };
+  const double start = slope_at(0);
+  if (!(start < 0)) return 0;
+  double low = 0, high = 1, low_slope = start, part = 1;
+  for (int trial = 0; trial < most_trials; ++trial) {
+    const double here = slope_at(part);
+    if (here <= 0 && part == 1) return 1;
+    if (std::abs(here) <= -enough * start) return part;
+    double high_slope = here;
+    if (here < 0) {
+      low = part;
+      low_slope = here;
+      part = (low + high) / 2;
+      continue;
+    }
+    high = part;
+    // The chord to the end of the bracket, kept off its ends: the slope is far from straight.
+    const double chord = low + (high - low) * low_slope / (low_slope - high_slope);
+    part = std::clamp(chord, low + 0.1 * (high - low), low + 0.6 * (high - low));
+  }
+  return part;
 }
 
 NewtonResult PathNewton::iterate(PathPoint& point, const Condition& condition) {
@@ -98,6 +157,7 @@ NewtonResult PathNewton::iterate(PathPoint& point, const Condition& condition) {
       }
       scale = std::max(scale, std::abs(load.force(at)));
       r(at) = load.force(at) - internal(at);
+      if (condition.drag.size() > 0) r(at) -= condition.drag(at) * (point.u(at) - condition.base(at));
       if (!(std::abs(r(at)) <= result.residual)) {
         result.residual = std::abs(r(at));
         result.worst = i;
@@ -117,10 +177,10 @@ NewtonResult PathNewton::iterate(PathPoint& point, const Condition& condition) {
     const bool closed = std::abs(gap) <= 1e-9 * size && held_in_place;
     if (closed && (settled || result.residual <= options_.tolerance * scale)) {
       result.converged = true;
+      result.is_rounding = settled;
       return result;
     }
-    system_.subtract_external_tangent(state(point.factor), point.u.data(), K_);
-    system_.hold(K_);
+    close(point, condition);
     if (!factors_.factorize(K_)) return result;
     factors_.solve(r.data());
     if (condition.control != Control::load) {
@@ -133,6 +193,11 @@ NewtonResult PathNewton::iterate(PathPoint& point, const Condition& condition) {
       if (!std::isfinite(change)) return result;
       point.factor += change;
       r += change * load.slope;
+    }
+    if (condition.downhill) {
+      const double part = step_downhill(point, condition, r);
+      if (part == 0) return result;  // the tangent is that of a crest
+      r *= part;
     }
     point.u += r;
     result.corrections.push_back(r.norm());

@@ -25,16 +25,19 @@ struct Staging {
   system::Vector held_start = {};  ///< all unknowns; stages `dead` and `supports`
 };
 
-/// The condition that closes the system. Exactly one of the three.
+/// The condition that closes the system. Exactly one of the three controls.
 struct Condition {
   Control control = Control::load;
   ControlledPoint point = {};  ///< displacement control, with the target of this step
-  system::Vector base = {};    ///< arc length: the state from which it counts
+  system::Vector base = {};    ///< arc length and drag: the state from which they count
   double arc = 0;              ///< [m]
+  system::Vector drag = {};    ///< load control: [N/m], [N m] diagonal of a spring from each free unknown to `base`
+  bool downhill = false;       ///< load control: no correction goes past the bottom of potential energy along it
 };
 
 struct NewtonResult {
   bool converged = false;
+  bool is_rounding = false;  ///< the last correction was down at rounding
   int iterations = 0;
   double residual = 0;    ///< [N] largest
   std::size_t worst = 0;  ///< unknown that has it
@@ -46,6 +49,8 @@ class PathNewton {
   PathNewton(const system::System& system, const EquilibriumOptions& options, Staging staging);
 
   NewtonResult iterate(PathPoint& point, const Condition& condition);
+  /// Is the point a minimum of potential energy?
+  bool is_minimum(const PathPoint& point);
   /// du/dlambda along the path at a point of it. Empty where the stiffness is singular.
   std::optional<system::Vector> direction(const PathPoint& point);
 
@@ -56,6 +61,13 @@ class PathNewton {
   };
   Load load_at(const PathPoint& point) const;
   system::At state(double factor) const;
+  /// Derivative of potential energy, drag included, by a change of u. [J]
+  double slope(const PathPoint& point, const Condition& condition, const system::Vector& along) const;
+  /// The share of a correction that ends near the bottom of potential energy along it. Strands resist a change of
+  /// curvature steeply at first and hardly later: whole steps may go to and fro across the bottom for ever.
+  double step_downhill(const PathPoint& point, const Condition& condition, const system::Vector& correction) const;
+  /// K_ -= d f_ext/du, the drag added and held unknowns held.
+  void close(const PathPoint& point, const Condition& condition);
   bool is_rounding(const system::Vector& correction, const system::Vector& u) const;
 
   const system::System& system_;
