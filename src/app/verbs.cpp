@@ -27,6 +27,11 @@ std::string as_toml(std::string_view word) {
   return results::to_text(results::Value(harmless(word)), -1);
 }
 
+/// What a run would say at its end.
+void warn(const casefile::Scene& scene) {
+  for (const std::string& warning : scene.warnings) tell("warning: {}\n", warning);
+}
+
 }  // namespace
 
 casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
@@ -38,12 +43,15 @@ casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const casefile::Scene scene = read_noted(file, overrides);
   study::prepare(scene);
+  warn(scene);
   print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::word_of(scene.analysis));
   return ExitCode::done;
 }
 
 ExitCode describe(const RunArguments& arguments) {
-  const results::Value told = study::describe_case(read_noted(arguments.file, arguments.overrides));
+  const casefile::Scene scene = read_noted(arguments.file, arguments.overrides);
+  const results::Value told = study::describe_case(scene);
+  warn(scene);
   if (arguments.json) {
     print_raw(results::to_text(told) + '\n');
   } else {

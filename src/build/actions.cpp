@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "parts.hpp"
@@ -77,6 +78,22 @@ void refuse_out_of_plane(const casefile::Scene& scene, double out_of_plane, cons
                    turns ? "turn about z: [0, 0, 1]" : "use a direction such as [0, 1, 0]");
 }
 
+/// A force on a point that supports hold moves nothing.
+void refuse_on_support(const casefile::Scene& scene, const BuiltSpan& built, std::size_t number, std::size_t node,
+                       const Eigen::Vector3d& direction, bool turns) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const auto unknown = static_cast<Unknown>(axis + (turns ? 3 : 0));
+    if (direction(axis) == 0 || !built.model.index(node, unknown)) continue;
+    const auto holds = [&](const model::Support& support) {
+      return support.node == node && support.fixed[static_cast<std::size_t>(unknown)];
+    };
+    if (std::ranges::none_of(built.model.supports, holds)) return;
+  }
+  casefile::refuse(scene.source, fmt::format("load[{}].at_m", number),
+                   fmt::format("a support holds this point: a {} there moves nothing", turns ? "moment" : "force"),
+                   "move it away from the support, or give a [[motion]] of the support instead");
+}
+
 }  // namespace
 
 void add_supports(const casefile::Scene& scene, BuiltSpan& built) {
@@ -103,7 +120,9 @@ void add_loads(const casefile::Scene& scene, BuiltSpan& built) {
       built.load_of.push_back(number);
     };
     if (load.at) {
-      add(node_at(scene, built, *load.at, fmt::format("load[{}].at_m", number)), 1);
+      const std::size_t node = node_at(scene, built, *load.at, fmt::format("load[{}].at_m", number));
+      refuse_on_support(scene, built, number, node, direction, turns);
+      add(node, 1);
       continue;
     }
     const std::vector<double> share = tributary_lengths(built.model);
@@ -131,7 +150,8 @@ void add_motions(const casefile::Scene& scene, BuiltSpan& built) {
     built.model.motions.push_back({.node = node,
                                    .unknown = unknown,
                                    .amplitude = direction(axis) * motion.value(),
-                                   .history = history_of(motion, built)});
+                                   .history = history_of(motion, built),
+                                   .ease = {.duration = motion.ease}});
     built.motion_of.push_back(number);
   }
 }

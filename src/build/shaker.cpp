@@ -38,12 +38,6 @@ void check_shaker(const Scene& scene, const ShakerKey& shaker) {
   }
 }
 
-bool is_held(const model::Model& model, std::size_t node) {
-  constexpr auto y = static_cast<std::size_t>(model::Unknown::y);
-  return std::ranges::any_of(model.supports,
-                             [&](const model::Support& support) { return support.node == node && support.fixed[y]; });
-}
-
 }  // namespace
 
 ShakerKey shaker_of(const Scene& scene) {
@@ -83,10 +77,6 @@ Shaker find_shaker(const Scene& scene, const BuiltSpan& span) {
   shaker.sign = (*direction)[1] > 0 ? 1 : -1;
   shaker.size = std::abs(shaker.moves ? scene.motions[number].value() : scene.loads[number].value());
   shaker.node = shaker.moves ? span.model.motions[shaker.entry].node : span.model.loads[shaker.entry].node;
-  if (!shaker.moves && is_held(span.model, shaker.node)) {
-    refuse(scene.source, fmt::format("load[{}].at_m", number), "is a place that a support holds",
-           "give a distance from the supports, or a [[motion]] of the support");
-  }
   return shaker;
 }
 

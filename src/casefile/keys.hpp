@@ -112,7 +112,8 @@ void keys(V& v, Integrator& i) {
   v.number("newton_tolerance", i.newton_tolerance,
            {.help = "the size of a Newton correction that ends the iteration", .above = 0, .below = 1});
   v.number("max_numerical_share", i.max_numerical_share,
-           {.help = "the numerical dissipation allowed, as a part of the physical one (0.05 for 20 cycles and more)",
+           {.help = "the numerical dissipation allowed, as a part of the physical one (0.05; of a short "
+                    "run that is less than a tenth of its energy, as a part of that tenth)",
             .above = 0});
   v.number("checkpoint_every_s", i.checkpoint_every,
            {.help = "the wall time between checkpoints", .unit = units::s, .above = 0});

@@ -25,6 +25,10 @@ void fill_laboratory_grid(Scene& scene);
 /// The checks of a self-damping study: what a point needs, what its methods need.
 void check_self_damping(const Scene& scene);
 
+/// Refuses scenes that cannot be, though each key by itself is in order; of those that can hardly be it says so in
+/// `scene.warnings`.
+void check_plausible(Scene& scene);
+
 /// Fills what follows from other keys (all of the above, steps per cycle) and refuses what contradicts itself.
 void resolve_scene(Scene& scene);
 

@@ -52,6 +52,18 @@ void resolve_load(Load& load, const std::string& path, const Scene& scene) {
   check_history(load.history, path, scene);
 }
 
+/// Samples: as many and as evenly spaced as nobody writes corners.
+bool is_sampled(const History& history) {
+  constexpr std::size_t fewest = 8;
+  constexpr double even = 1e-3;  // of the spacing: times are written with few digits
+  if (history.size() < fewest) return false;
+  const double spacing = (history.back()[0] - history.front()[0]) / static_cast<double>(history.size() - 1);
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    if (std::abs(history[i][0] - history[i - 1][0] - spacing) > even * spacing) return false;
+  }
+  return true;
+}
+
 void resolve_motion(Motion& motion, const std::string& path, const Scene& scene) {
   check_place(motion.at, path, scene);
   resolve_direction(motion.direction, motion.is_rotation(), path, scene);
@@ -59,6 +71,14 @@ void resolve_motion(Motion& motion, const std::string& path, const Scene& scene)
     refuse(scene.source, path + ".direction", "does not lie along x, y or z", "give one [[motion]] per axis");
   }
   check_history(motion.history, path, scene);
+  if (motion.type == MotionType::table && !motion.interpolation) {
+    motion.interpolation = is_sampled(motion.history) ? Interpolation::smooth : Interpolation::linear;
+  }
+  const bool in_time = scene.is<TransientAnalysis>() || scene.is<DecayAnalysis>() || scene.is<ForcedAnalysis>();
+  if (motion.ease > 0 && !in_time) {
+    refuse(scene.source, path + ".ease_s", "eases a motion that begins, and this analysis has no beginning",
+           "leave it out, or choose a transient, decay or forced analysis");
+  }
 }
 
 void resolve_body(Body& body, const std::string& path, const Scene& scene) {

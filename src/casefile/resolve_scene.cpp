@@ -271,6 +271,7 @@ void resolve_scene(Scene& scene) {
   if (integrator.step == StepRule::fixed && !integrator.step_size && !integrator.steps_per_cycle) {
     integrator.steps_per_cycle = default_steps_per_cycle;
   }
+  check_plausible(scene);
   for (const Criterion& criterion : scene.accept.criteria) check_criterion(criterion, scene.source);
 }
 

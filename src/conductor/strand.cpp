@@ -10,6 +10,24 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// How many wires have room side by side. Round ones touch at the radius
+///     R_n = d/2 sqrt(1 + tan^2(pi/2 - pi/n)/cos^2 alpha)                                              [Costello 1997]
+/// and those of another shape fill the ring of their height at the most. Diameters are rounded, and equal wires in all
+/// layers are a convention: a twentieth is allowed for.
+double most_wires(const Layer& layer) {
+  constexpr double room = 1.05;
+  const double R = room * layer.helix_radius;
+  const double cosine = std::cos(layer.lay_angle);
+  if (layer.shape != WireShape::round) {
+    return std::floor(room * 2 * pi * layer.helix_radius * layer.diameter * cosine / layer.wire_area);
+  }
+  const double ratio = 2 * R / layer.diameter;
+  if (ratio <= 1) return 1;
+  // tan(pi/2 - pi/n) = cot(pi/n)
+  const double n = pi / std::atan(1 / (cosine * std::sqrt(ratio * ratio - 1)));
+  return std::max(1.0, std::floor(n));
+}
+
 std::optional<std::string> find_fault(const Layer& layer, bool core) {
   if (layer.wires < 1) return fmt::format("it has {} wires; give at least 1", layer.wires);
   if (!(layer.diameter > 0)) return "the wire diameter must be above 0";
@@ -26,6 +44,13 @@ std::optional<std::string> find_fault(const Layer& layer, bool core) {
     if (kappa * layer.diameter >= 2) {
       return "the wire is thicker than its helix allows (kappa d >= 2: no inner contact line); "
              "reduce the lay angle or the diameter";
+    }
+    const double most = most_wires(layer);
+    if (layer.wires > most) {
+      return fmt::format(
+          "{} wires of {:g} mm do not fit round a helix of radius {:.4g} mm; at most {:g} do: give that many, thinner "
+          "ones or a larger helix_radius_mm",
+          layer.wires, 1e3 * layer.diameter, 1e3 * layer.helix_radius, most);
     }
   }
   return std::nullopt;

@@ -28,7 +28,7 @@ void CycleObserver::begin(const system::System& system, const StepRecord& initia
 }
 
 void CycleObserver::restart(const system::System& system) {
-  deflection_.restart(places_->size());
+  deflection_.restart(*places_);
   curvature_.restart(system.committed_strains().points());
   curvature_3_.restart(curvature_.low.size());
   friction_.assign(system.committed_strains().points(), 0.0);
@@ -36,7 +36,7 @@ void CycleObserver::restart(const system::System& system) {
 }
 
 void CycleObserver::watch(const system::System& system, const StepRecord& record) {
-  for (std::size_t i = 0; i < places_->size(); ++i) deflection_.widen(i, places_->at(record.u.data(), i));
+  deflection_.widen(*places_, record.u.data());
   const section::Field& strains = system.committed_strains();
   for (std::size_t point = 0; point < friction_.size(); ++point) {
     curvature_.widen(point, strains[Component::bending2][point]);
@@ -74,6 +74,7 @@ void CycleObserver::archive(Archive& a) {
 
 void CycleObserver::end_cycle(const Account& at_end, double time) {
   Cycle cycle{.end_time = time,
+              .antinode_amplitude = deflection_.largest(),
               .external_work = at_end.external_work - cycle_start_.external_work,
               .kinetic = at_end.kinetic,
               .elastic = at_end.elastic,
@@ -86,9 +87,6 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
               .numerical = at_end.numerical() - cycle_start_.numerical(),
               .quadrature_error = at_end.quadrature_error - cycle_start_.quadrature_error,
               .internal_work = at_end.internal_work - cycle_start_.internal_work};
-  for (std::size_t i = 0; i < places_->size(); ++i) {
-    cycle.antinode_amplitude = std::max(cycle.antinode_amplitude, deflection_.amplitude(i));
-  }
   PointRecord points{.friction = friction_, .material = material_, .curvature_amplitude = {}};
   for (std::size_t point = 0; point < friction_.size(); ++point) {
     const bool spatial = !system_is_planar_;

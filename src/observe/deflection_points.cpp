@@ -20,14 +20,14 @@ DeflectionPoints::DeflectionPoints(const model::Model& model, double loop_length
   const std::vector<double> arc = model::arc_lengths(model);
   // A little less than three: the loop length of a tensioned beam is that of a string only nearly.
   const double margin = arc.back() >= 2.99 * loop_length ? loop_length : 0;
-  const std::size_t planes = model::is_spatial(model.freedom) ? 2 : 1;
+  planes_ = model::is_spatial(model.freedom) ? 2 : 1;
   for (std::size_t e = 0; e < model.elements.size(); ++e) {
     const double length = arc[e + 1] - arc[e];
     for (std::size_t place = 0; place < places_per_element; ++place) {
       const double xi = (static_cast<double>(place) + 0.5) / places_per_element;
       const double s = arc[e] + xi * length;
       if (s < margin || s > arc.back() - margin) continue;
-      for (std::size_t plane = 0; plane < planes; ++plane) add_point(model, {e, plane}, hermite(xi, length));
+      for (std::size_t plane = 0; plane < planes_; ++plane) add_point(model, {e, plane}, hermite(xi, length));
     }
   }
 }

@@ -48,6 +48,8 @@ int half_waves(const model::Model& model, const solver::Mode& mode) {
       case solver::ModeKind::out_of_plane:
         along.push_back(d.z());
         break;
+      case solver::ModeKind::rigid:
+        return 0;
       case solver::ModeKind::torsional:
         along.push_back(twist ? mode.shape(static_cast<Eigen::Index>(*twist)) : 0);
         break;

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
+#include "cautions.hpp"
 #include "entries.hpp"
 #include "outlook.hpp"
 #include "share.hpp"
@@ -60,13 +64,19 @@ class Modes final : public Analysis {
     span::SpanAtRest span(built_);
     ModesSummary summary{.rest = span::rest_of(span)};
     span.apply_static_loads();
+    warn_of_rest(scene_, span, outcome);
     const auto& keys = scene_.as<casefile::ModesAnalysis>();
-    const std::vector<solver::Mode> modes = across_only_
-                                                ? span::modes_across(span, keys.count, hooks.stop)
-                                                : solver::find_modes(span.system, span.u,
-                                                                     {.count = static_cast<std::size_t>(keys.count),
-                                                                      .near = keys.near_frequency.value_or(0),
-                                                                      .stop = hooks.stop});
+    const auto count = static_cast<std::size_t>(keys.count);
+    std::vector<solver::Mode> modes;
+    if (across_only_) {
+      modes = solver::rigid_modes(span.system, span.u);
+      modes.resize(std::min(modes.size(), count));
+      std::ranges::move(span::modes_across(span, keys.count - static_cast<int>(modes.size()), hooks.stop),
+                        std::back_inserter(modes));
+    } else {
+      modes = solver::find_modes(span.system, span.u,
+                                 {.count = count, .near = keys.near_frequency.value_or(0), .stop = hooks.stop});
+    }
     for (const solver::Mode& mode : modes) summary.frequencies.push_back(mode.frequency);
     summary.modes = span::rows_of(span, modes);
     add_effort(span.system, outcome.cost);

@@ -155,6 +155,7 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   const std::unique_ptr<Analysis> analysis = prepare(scene);
   CaseResult result;
   result.summary = frame(scene);
+  result.warnings = scene.warnings;
   try {
     analysis->run(hooks, result);
   } catch (const Interrupted& stopped) {

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "section_parts.hpp"
 
@@ -33,7 +36,8 @@ results::Table read_path(const Scene& scene) {
   return path;
 }
 
-/// Strains of one row. What the file leaves out is zero; a tension is turned into strain by the linear part.
+/// Strains of one row. What the file leaves out is zero; a tension is turned into strain by the linear part, which is
+/// all there is unless bending forces of the wires count in N.
 class Rows {
  public:
   Rows(const Scene& scene, const results::Table& path) : scene_(scene), path_(path) {
@@ -50,6 +54,11 @@ class Rows {
     }
     return {strain, torsion, value("curvature_2_per_m", row, 0), value("curvature_3_per_m", row, 0)};
   }
+  /// [N] that the row asks for; nothing where it gives the strain.
+  std::optional<double> tension(std::size_t row) const {
+    if (path_.has("axial_strain")) return std::nullopt;
+    return value("tension_N", row, tension_);
+  }
 
  private:
   double value(const char* name, std::size_t row, double otherwise) const {
@@ -61,10 +70,34 @@ class Rows {
   double tension_ = 0;  // [N] of the analysis, for a file without its own
 };
 
+/// The strain at which the section, after what its wires have done so far, carries the tension. N goes with the strain
+/// by EA and a little more: a few steps of the secant.
+void meet_tension(const section::Law& law, const section::History& memory, double tension, double EA, Field& strains,
+                  Field& stresses) {
+  constexpr int most = 50;
+  constexpr double precision = 1e-11;
+  double& strain = strains[Component::axial][0];
+  for (int round = 0; round < most; ++round) {
+    law.respond(memory, strains, stresses, nullptr);
+    const double missing = tension - stresses[Component::axial][0];
+    if (std::abs(missing) <= precision * std::max(std::abs(tension), 1.0)) return;
+    strain += missing / EA;
+  }
+}
+
+/// Work of the resultants between two states, by the trapezoidal rule. [J/m]
+double work_between(const std::vector<double>& from, const std::vector<double>& to) {
+  double work = 0;
+  for (std::size_t c = 0; c < section::component_count; ++c) {
+    work += (from[section::component_count + c] + to[section::component_count + c]) / 2 * (to[c] - from[c]);
+  }
+  return work;
+}
+
 /// The last state of the path and what it took.
 struct PathRow {
   std::size_t steps = 0;
-  double stored = 0, dissipated = 0, quadrature_error = 0;
+  double stored = 0, dissipated = 0, quadrature_error = 0, work = 0, unaccounted = 0;
 };
 template <class V>
 void members(V& v, PathRow& p) {
@@ -72,6 +105,11 @@ void members(V& v, PathRow& p) {
   v.value("stored_J_per_m", p.stored, {.what = "energy of the last state"});
   v.value("dissipated_J_per_m", p.dissipated, {.what = "along the path", .shown = "dissipated"});
   v.value("quadrature_error_J_per_m", p.quadrature_error, {.what = "error of the steps"});
+  v.value("work_J_per_m", p.work, {.what = "of the resultants along the path, by the trapezoidal rule over its rows"});
+  v.value(
+      "unaccounted_work_J_per_m", p.unaccounted,
+      {.what = "work that is neither stored nor dissipated: what `axial_resultants` adds to N and M1 has no energy in "
+               "the law"});
 }
 struct PathSummary {
   PathRow path;
@@ -119,24 +157,41 @@ void run_path(const Scene& scene, const results::Table& path, Outcome& outcome) 
   section::Effort effort;
   double dissipated = 0;
   double quadrature_error = 0;
+  double work = 0, first_stored = 0, dissipated_at_start = 0;
+  std::vector<double> before;
+  const double EA = build::section_numbers(scene).EA;
   for (std::size_t row = 0; row < path.rows(); ++row) {
     move_to(row);
+    const auto tension = rows.tension(row);
+    if (scene.section.axial_resultants && tension) meet_tension(*law, memory, *tension, EA, strains, stresses);
     effort += law->commit(memory, strains, energy);
     effort += law->respond(memory, strains, stresses, nullptr);
     dissipated += energy.dissipated[0];
     quadrature_error += energy.quadrature_error[0];
     std::vector<double> line;
-    for (double value : rows[row]) line.push_back(value);
+    for (std::size_t c = 0; c < section::component_count; ++c) {
+      line.push_back(carries(dimension, Component{c}) ? strains[Component{c}][0] : 0.0);
+    }
     for (std::size_t c = 0; c < section::component_count; ++c) {
       line.push_back(carries(dimension, Component{c}) ? stresses[Component{c}][0] : 0.0);
     }
+    if (before.empty()) {
+      first_stored = energy.stored[0];
+      dissipated_at_start = dissipated;
+    } else {
+      work += work_between(before, line);
+    }
+    before = line;
     line.insert(line.end(), {energy.stored[0], dissipated, quadrature_error});
     history.append(line);
   }
   outcome.tell(PathSummary{.path = {.steps = path.rows(),
                                     .stored = energy.stored[0],
                                     .dissipated = dissipated,
-                                    .quadrature_error = quadrature_error}});
+                                    .quadrature_error = quadrature_error,
+                                    .work = work,
+                                    .unaccounted = work - (energy.stored[0] - first_stored) -
+                                                   (dissipated - dissipated_at_start) + quadrature_error}});
   outcome.cost.steps = path.rows();
   outcome.cost.section_evaluations = effort.evaluations;
   outcome.cost.section_sweeps = effort.sweeps;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cautions.hpp"
 #include "entries.hpp"
 #include "outlook.hpp"
 #include "share.hpp"
@@ -107,9 +108,10 @@ void members(V& v, StaticSummary& s) {
   v.record("rest", s.rest, {.what = "how a hanging span hangs"});
   v.list("steps", s.steps, {.what = "the path"});
   v.value(s.turns ? "initial_stiffness_N_m_per_rad" : "initial_stiffness_N_per_m", s.stiffness,
-          {.what = "load over displacement of the first step", .shown = "initial stiffness"});
+          {.what = "load over displacement of a thousandth of the first step", .shown = "initial stiffness"});
   v.value(s.turns ? "first_slip_load_N_m" : "first_slip_load_N", s.first_slip,
-          {.what = "load of the first step in which a wire slips", .shown = "load of first slip"});
+          {.what = "load at which the first wire slips, to 0.1 %; 0 where contacts give at any load",
+           .shown = "load of first slip"});
   v.value("stable", s.stable, {.what = "whether the last state is a stable equilibrium"});
   v.list("limit_points", s.limit_points, {.what = "maxima and minima of the load, by parabolas through three steps"});
   v.value("right_end_m", s.right_end, {.what = "where the right end is at last"});
@@ -136,6 +138,59 @@ std::vector<LimitRow> limit_points(std::vector<StepRow> path, bool turns) {
   return list;
 }
 
+/// The beginning of the path, looked at by trials from the state of rest whatever steps the path itself takes.
+class Beginning {
+ public:
+  explicit Beginning(const build::BuiltSpan& built) : span_(built), follower_(span_), rest_(span_.u) {
+    span_.system.archive(at_rest_);
+  }
+
+  struct Trial {
+    double load = 0, displacement = 0;
+    bool slips = false;
+  };
+  /// One step from rest to a load factor; rest is restored.
+  Trial to(double factor) {
+    system::Vector u = rest_;
+    Trial trial;
+    solver::EquilibriumOptions options{.max_load_factor = factor};
+    options.watch = [&](const solver::EquilibriumStep& step, const system::Vector& at, double) {
+      trial = {.load = follower_.load(at, factor),
+               .displacement = follower_.displacement(at),
+               .slips = trial.slips || step.sections_slipping > 0};
+    };
+    solver::find_equilibrium(span_.system, u, options);
+    Cost cost;
+    add_effort(span_.system, cost);
+    evaluations_ += cost.section_evaluations;
+    Archive back(at_rest_.bytes());
+    span_.system.archive(back);
+    return trial;
+  }
+  /// The load of the first slip, which happens before `slipping` (a load factor).
+  double first_slip(double slipping) {
+    // Contacts that give slip from the first load on; below `nothing` rounding hides what they lose.
+    constexpr double precision = 1e-3, nothing = 1e-4;
+    if (to(nothing * slipping).slips) return 0;
+    double low = nothing * slipping, high = slipping;
+    while (high / low > 1 + precision) {
+      // Geometric while the bracket is wide: slip may begin early in a large step.
+      const double middle = high / low > 2 ? std::sqrt(low * high) : (low + high) / 2;
+      (to(middle).slips ? high : low) = middle;
+    }
+    return to(high).load;
+  }
+  /// Of sections, in all trials.
+  std::uint64_t evaluations() const { return evaluations_; }
+
+ private:
+  span::SpanAtRest span_;
+  Follower follower_;
+  system::Vector rest_;
+  Archive at_rest_;
+  std::uint64_t evaluations_ = 0;
+};
+
 solver::EquilibriumOptions options_of(const Scene& scene, const Follower& follower) {
   using casefile::Control;
   solver::EquilibriumOptions options{.steps = scene.as<casefile::StaticAnalysis>().steps};
@@ -148,6 +203,18 @@ solver::EquilibriumOptions options_of(const Scene& scene, const Follower& follow
     options.max_load_factor = scene.static_.max_load_factor;
   }
   return options;
+}
+
+/// `slipping`: the load factor of the first step that slips, if any.
+void look_at_beginning(const build::BuiltSpan& built, std::optional<double> slipping, StaticSummary& summary,
+                       Cost& cost) {
+  if (summary.steps.empty()) return;
+  Beginning beginning(built);
+  constexpr double little = 1e-3;
+  const Beginning::Trial first = beginning.to(little * summary.steps.front().load_factor);
+  if (first.displacement != 0) summary.stiffness = first.load / first.displacement;
+  if (slipping) summary.first_slip = beginning.first_slip(*slipping);
+  cost.section_evaluations += beginning.evaluations();
 }
 
 class Static final : public Analysis {
@@ -211,6 +278,7 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
         options.point.direction.dot(span.built.model.displacement(span.u.data(), options.point.node));
   }
   options.stop = hooks.stop;
+  std::optional<double> slipping;  // load factor of the first step that slips
   double factor = 0;
   options.watch = [&](const solver::EquilibriumStep& step, const system::Vector& u, double done) {
     factor = step.load_factor;
@@ -220,17 +288,14 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
                              .load_factor = factor,
                              .sections_slipping = step.sections_slipping});
     const StepRow& row = summary.steps.back();
-    if (step.sections_slipping > 0 && !summary.first_slip) summary.first_slip = row.load;
+    if (step.sections_slipping > 0 && !slipping) slipping = factor;
     slip_map.watch(row.load);
     if (hooks.progress) {
       hooks.progress(done, fmt::format("step {}, load factor {:.4g}", summary.steps.size(), factor));
     }
   };
   const solver::EquilibriumSummary found = solver::find_equilibrium(span.system, span.u, options);
-
-  if (!summary.steps.empty() && summary.steps.front().displacement != 0) {
-    summary.stiffness = summary.steps.front().load / summary.steps.front().displacement;
-  }
+  warn_of_strength(scene_, span, largest_tension(span), "at the end of the path", outcome);
   summary.stable = solver::is_stable(span.system, span.u, factor);
   if (!summary.stable) {
     outcome.warnings.emplace_back(
@@ -239,11 +304,12 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
   if (options.control != solver::Control::load) summary.limit_points = limit_points(summary.steps, follower.turns());
   summary.right_end = span::right_end_of(span);
   summary.reactions = span::reactions_of(span, factor);
+  add_effort(span.system, outcome.cost);
+  look_at_beginning(built_, slipping, summary, outcome.cost);
   outcome.tell(summary);
   outcome.tables.push_back({.file = "shape.csv", .table = span::shape_of(span)});
   slip_map.add_to(outcome);
   outcome.cost.steps = found.steps.size();
-  add_effort(span.system, outcome.cost);
   results::Table table(results::ColumnReader::of(StepRow{.turns = follower.turns()}).names);
   for (const StepRow& row : summary.steps) table.append(results::ColumnReader::of(row).values);
   const std::vector<std::string> names = table.names();

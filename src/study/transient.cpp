@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cautions.hpp"
 #include "entries.hpp"
 #include "outlook.hpp"
 #include "plan.hpp"
@@ -21,7 +22,7 @@ namespace {
 bool is_loaded_at_start(const model::Model& model) {
   const auto acts = [](const auto& source) { return math::evaluate(source.history, 0) != 0; };
   return std::ranges::any_of(model.loads, [&](const model::Load& load) { return !load.dead && acts(load); }) ||
-         std::ranges::any_of(model.motions, acts);
+         std::ranges::any_of(model.motions, [](const model::PrescribedMotion& m) { return m.at(0, {}) != 0; });
 }
 
 /// The nodes whose motion is written: where the case says, or the loaded ones and the right end.
@@ -151,6 +152,13 @@ class EnergyHistory final : public observe::Observer {
     if (lost > 0) out.numerical_share = std::abs(a.numerical()) / lost;
     return out;
   }
+  /// The whole run. What was lost along the way was there, too.
+  ShareAccount account() const {
+    const observe::Account& a = ledger_.now();
+    ShareAccount account{.numerical = a.numerical(), .quadrature_error = a.quadrature_error, .lost = a.dissipated()};
+    for (const EnergyRow& row : rows_) account.energy = std::max(account.energy, row.kinetic + row.elastic);
+    return account;
+  }
   const std::vector<EnergyRow>& rows() const { return rows_; }
 
  private:
@@ -248,13 +256,21 @@ class Transient final : public Analysis {
              "leave the key out");
     }
     check_plan(scene, built_, ask_);
+    if (scene.as<casefile::TransientAnalysis>().start == casefile::Start::unloaded) {
+      for (std::size_t i = 0; i < built_.model.motions.size(); ++i) {
+        if (built_.model.motions[i].at(0, {}) == 0) continue;
+        refuse(scene.source, fmt::format("motion[{}]", built_.motion_of[i]),
+               "is away from 0 at t = 0, where analysis.start = \"unloaded\" has the span at rest",
+               "let its history begin at 0, or give start = \"loaded\"");
+      }
+    }
   }
 
   Outlook outlook() override {
     Outlook outlook;
     add_span(built_, outlook);
     span::SpanAtRest span(built_);
-    if (is_loaded_at_start(span.built.model)) span.apply_static_loads();
+    stand_ready(span);
     const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
     add_steps(scene_.as<casefile::TransientAnalysis>().duration / plan.step, plan, integration_, span, outlook);
     return outlook;
@@ -263,12 +279,20 @@ class Transient final : public Analysis {
   void run(const Hooks& hooks, Outcome& outcome) override {
     span::SpanAtRest span(built_);
     TransientSummary summary{.rest = span::rest_of(span)};
-    if (is_loaded_at_start(span.built.model)) span.apply_static_loads();
+    stand_ready(span);
+    warn_of_rest(scene_, span, outcome);
+    if (!scene_.as<casefile::TransientAnalysis>().start && is_loaded_at_start(span.built.model)) {
+      outcome.warnings.emplace_back(
+          "what acts at t = 0 belongs to the state of rest, in which the span stands before the start; analysis.start "
+          "= "
+          "\"unloaded\" makes it act suddenly, \"loaded\" says that this is meant");
+    }
     const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
     summary.plan = study::row_of(plan);
     if (hooks.announce) hooks.announce(words_of(plan, integration_));
 
     const double duration = scene_.as<casefile::TransientAnalysis>().duration;
+    const bool blows = warn_of_blows(built_, plan.drives, duration, outcome);
     observe::ProbeHistories probes(probe_nodes(scene_, span.built.model));
     observe::MomentumObserver momentum;
     EnergyHistory energy;
@@ -303,14 +327,19 @@ class Transient final : public Analysis {
       outcome.exit_code = ExitCode::interrupted;
       outcome.message = fmt::format("interrupted at t = {:.6g} s; what was computed is kept", run.end_time);
     }
-    check_numerical_share(scene_, integration_, plan,
-                          {.share = summary.energy.numerical_share,
-                           .numerical = summary.energy.end.numerical,
-                           .quadrature_error = summary.energy.end.quadrature_error},
-                          outcome);
+    ShareAccount account = energy.account();
+    account.stored = stored_by_tension(built_);
+    account.has_blows = blows;
+    check_numerical_share(scene_, integration_, plan, account, outcome);
   }
 
  private:
+  /// With the loads of the start, unless they come suddenly.
+  void stand_ready(span::SpanAtRest& span) const {
+    const bool sudden = scene_.as<casefile::TransientAnalysis>().start == casefile::Start::unloaded;
+    if (!sudden && is_loaded_at_start(span.built.model)) span.apply_static_loads();
+  }
+
   const Scene& scene_;
   build::Integration integration_;
   build::BuiltSpan built_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cautions.hpp"
 #include "checkpoint.hpp"
 #include "cycle_log.hpp"
 #include "decay.hpp"
@@ -291,6 +292,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   span::SpanAtRest span(built_);
   VibrationSummary summary{.rest = span::rest_of(span)};
   span.apply_static_loads();
+  warn_of_rest(scene_, span, outcome);
   PlanAsk ask = ask_;
   ask.stop = hooks.stop;
   const VibrationPlan plan = plan_vibration(scene_, integration_, ask, span);
@@ -299,6 +301,8 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
 
   const double loop_length = span.built.loop_length(plan.frequency);
   warn_of_coarse_mesh(span, loop_length, outcome);
+  const double duration = static_cast<double>(plan.cycles) / plan.frequency;
+  if (plan.decays) warn_of_blows(built_, plan.drives, duration, outcome);
   const analysis::SpanNumbers numbers = numbers_of(plan, scene_);
   CycleLog::DampingRatio of_decay;
   if (plan.decays) of_decay = [&](const Cycle& cycle) { return damping_ratio_of(cycle, numbers); };
@@ -321,8 +325,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
     interrupted = !steady && hooks.stop && hooks.stop();  // a steady run has come to its end
     return interrupted || steady;
   };
-  solver::IntegratorOptions options =
-      integration_.options(plan.step, static_cast<double>(plan.cycles) / plan.frequency, plan.drives);
+  solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
   options.stop = stop;
   options.checkpoints = checkpoint.checkpoints([&] { return interrupted; });
   const solver::IntegratorSummary run =
@@ -354,12 +357,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
         fmt::format("not steady after {} cycles; give [analysis] cycles, or a stronger damping", cycles.count());
   }
   if (!summary.steady) return;
-  ShareAccount account{.share = summary.steady->numerical_share, .cycles = cycles.count()};
-  for (const auto& [name, x] : summary.steady->mean) {
-    if (name == "numerical_dissipation_J") account.numerical = x;
-    if (name == "quadrature_error_J") account.quadrature_error = x;
-  }
-  check_numerical_share(scene_, integration_, plan, account, outcome);
+  check_numerical_share(scene_, integration_, plan, account_of(built_, cycles, summary.steady->cycles), outcome);
 }
 
 }  // namespace

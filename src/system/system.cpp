@@ -66,8 +66,7 @@ void System::held_values(At at, double* u) const {
     if (held_[i]) u[i] = 0;
   }
   for (std::size_t m = 0; m < moved_.size(); ++m) {
-    u[moved_[m]] +=
-        at.part * model_.motions[m].amplitude * math::evaluate(model_.motions[m].history, at.time, at.drives);
+    u[moved_[m]] += at.part * model_.motions[m].at(at.time, at.drives);
   }
 }
 
@@ -76,7 +75,7 @@ void System::held_rates(At at, double* v) const {
     if (held_[i]) v[i] = 0;
   }
   for (std::size_t m = 0; m < moved_.size(); ++m) {
-    v[moved_[m]] += model_.motions[m].amplitude * math::rate(model_.motions[m].history, at.time, at.drives);
+    v[moved_[m]] += model_.motions[m].rate(at.time, at.drives);
   }
 }
 

@@ -70,8 +70,9 @@ TEST_CASE("the case as run shows the layers of the conductor as resolved") {
 TEST_CASE("the case as run shows motions and bodies in their units, with the direction that they took") {
   const ordered_json echo = json_of(read(bend));
   CHECK(echo["motion"][0].dump() == R"({"type":"static-motion","at":"left","rotation_deg":2.5,"direction":[-1,0,0]})");
-  CHECK(echo["motion"][1].dump() ==
-        R"({"type":"harmonic-motion","at_m":0.5,"amplitude_mm":3,"frequency":"mode 2","direction":[0,1,0]})");
+  CHECK(
+      echo["motion"][1].dump() ==
+      R"({"type":"harmonic-motion","at_m":0.5,"amplitude_mm":3,"frequency":"mode 2","ease_s":0,"direction":[0,1,0]})");
   CHECK(echo["motion"][2]["history"].dump() == "[[0,0],[1.5,2.5]]");
   CHECK(echo["body"][0]["direction"].dump() == "[0.6,0,0.8]");
   CHECK(echo["static"].dump() == R"({"control":"arc-length","arc_step_mm":0.7,"max_load_factor":1})");

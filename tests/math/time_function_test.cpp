@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "support/check_close.hpp"
 
 using namespace strandyn::math;
@@ -50,4 +53,59 @@ TEST_CASE("time function: only a table of few rows has corners") {
   const std::vector<double> signal(51, 0.0);
   CHECK(corners(Tabulated{.time = signal, .value = signal}).empty());
   CHECK(corners(Harmonic{.frequency = 4}).empty());
+}
+
+namespace {
+
+/// Largest error of the smooth curve through samples of sin(t) over (0, 6), between the samples.
+double error_of_samples(std::size_t samples) {
+  Tabulated table;
+  for (std::size_t i = 0; i <= samples; ++i) {
+    const double t = 6 * static_cast<double>(i) / static_cast<double>(samples);
+    table.time.push_back(t);
+    table.value.push_back(std::sin(t));
+  }
+  table = smooth(std::move(table));
+  double worst = 0;
+  for (int k = 1; k < 600; ++k) worst = std::max(worst, std::abs(table.at(0.01 * k) - std::sin(0.01 * k)));
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("time function: samples are joined by a curve of fourth order with continuous curvature") {
+  const double order = std::log2(error_of_samples(20) / error_of_samples(40));
+  CHECK(order > 3.7);
+  CHECK(error_of_samples(20) < 1e-3);
+  // A cubic is its own spline.
+  Tabulated cubic;
+  for (const double t : {0.0, 1.0, 1.5, 3.0, 4.0}) {
+    cubic.time.push_back(t);
+    cubic.value.push_back(t * t * t - 2 * t);
+  }
+  cubic = smooth(std::move(cubic));
+  for (const double t : {0.2, 1.2, 2.9, 3.7}) {
+    check_close(cubic.at(t), t * t * t - 2 * t, {.relative = 1e-13, .absolute = 1e-13});
+    check_close(cubic.rate(t), 3 * t * t - 2, {.relative = 1e-12, .absolute = 1e-12});
+  }
+}
+
+TEST_CASE("time function: jumps of the rate are those of its corners") {
+  const Tabulated ramp{.time = {0, 1, 3}, .value = {0, 2, 2}};
+  CHECK(ramp.largest_jump(10) == 2);
+  CHECK(ramp.largest_jump(0) == 0);
+  const Tabulated zigzag{.time = {0, 1, 2}, .value = {0, 1, 0}};
+  CHECK(zigzag.largest_jump(10) == 2);
+  CHECK(zigzag.largest_jump(1) == 1);
+}
+
+TEST_CASE("time function: an eased one begins and arrives without a jump") {
+  const Ease ease{.duration = 2};
+  CHECK(ease.at(0) == 0);
+  check_close(ease.at(1), 0.5, {.relative = 1e-15});
+  CHECK(ease.at(2) == 1);
+  CHECK(ease.rate(0) == 0);
+  check_close((ease.at(0.7 + 1e-6) - ease.at(0.7 - 1e-6)) / 2e-6, ease.rate(0.7), {.relative = 1e-8});
+  CHECK(Ease{}.at(0) == 1);  // at once
+  CHECK(Ease{}.rate(0) == 0);
 }

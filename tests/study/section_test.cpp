@@ -88,6 +88,45 @@ TEST_CASE("a tension that varies along the path moves the slip limits with it") 
   CHECK(lost[1] > 0);
 }
 
+TEST_CASE("a path meets the tension that it asks for, and what its work is beyond the books has a name") {
+  const test::ScratchFolder folder;
+  results::Table path({"curvature_2_per_m", "tension_N"});
+  constexpr int steps = 200;
+  for (int i = 0; i <= 2 * steps; ++i) {
+    const double phase = 2 * std::numbers::pi * i / steps;
+    path.append(std::array{0.05 * std::sin(phase), 28e3 + 3e3 * std::sin(phase + 0.7)});
+  }
+  results::write_csv(folder.path() / "path.csv", path);
+  const std::string file = "path = \"" + (folder.path() / "path.csv").string() + "\"\n";
+  for (const bool resultants : {false, true}) {
+    CAPTURE(resultants);
+    const auto result = test::run(
+        section_scene(file, {resultants ? "section.axial_resultants=true" : "section.axial_resultants=false"}));
+    const results::Table& rows = table(result, "path.csv");
+    const auto& N = rows.column("N_N");
+    double work = 0;
+    for (std::size_t i = 0; i < N.size(); ++i) {
+      check_close(N[i], path.column("tension_N")[i], {.relative = 1e-9});
+      if (i == 0) continue;
+      for (const auto& [strain, stress] : {std::pair{"axial_strain", "N_N"}, {"curvature_2_per_m", "M2_N_m"}}) {
+        const auto& s = rows.column(stress);
+        work += (s[i] + s[i - 1]) / 2 * (rows.column(strain)[i] - rows.column(strain)[i - 1]);
+      }
+    }
+    const auto& books = result.summary["path"];
+    check_close(books["work_J_per_m"], work, {.relative = 1e-9});
+    const double stored = rows.column("stored_J_per_m").back() - rows.column("stored_J_per_m").front();
+    const double dissipated = books["dissipated_J_per_m"], unaccounted = books["unaccounted_work_J_per_m"];
+    const double steps_error = books["quadrature_error_J_per_m"];
+    check_close(work, stored + dissipated - steps_error + unaccounted, {.relative = 1e-9});
+    if (resultants) {
+      CHECK(std::abs(unaccounted) > 1e-4 * dissipated);
+    } else {
+      CHECK(std::abs(unaccounted) <= 1e-9 * dissipated);
+    }
+  }
+}
+
 TEST_CASE("a path with an unknown column is refused with the columns there are") {
   const test::ScratchFolder folder;
   std::ofstream(folder.path() / "path.csv") << "curvature\n0.1\n";

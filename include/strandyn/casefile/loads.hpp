@@ -28,6 +28,11 @@ constexpr auto words_of(MotionType) {
                     Named{MotionType::harmonic_motion, "harmonic-motion"}, Named{MotionType::table, "table"}};
 }
 
+enum class Interpolation { linear, smooth };
+constexpr auto words_of(Interpolation) {
+  return std::array{Named{Interpolation::linear, "linear"}, Named{Interpolation::smooth, "smooth"}};
+}
+
 enum class End { left, right };
 constexpr auto words_of(End) {
   return std::array{Named{End::left, "left"}, Named{End::right, "right"}};
@@ -112,13 +117,16 @@ struct Motion {
   std::optional<int> frequency_mode;           ///< that of this mode, counted from 1
   std::vector<std::array<double, 2>> history;  ///< [s], [m] ([rad] if history_is_rotation), `table`
   bool history_is_rotation = false;
-  std::optional<Vector3> direction;  ///< [-] plus or minus one of the axes x, y, z; always set after reading
+  std::optional<Interpolation> interpolation;  ///< of the history; always set after reading where there is one
+  double ease = 0;                             ///< [s] in which a motion swells to its full size
+  std::optional<Vector3> direction;            ///< [-] plus or minus one of the axes x, y, z; always set after reading
 
   bool is_harmonic() const { return type == MotionType::harmonic_motion; }
   bool is_rotation() const { return rotation || rotation_amplitude || history_is_rotation; }
   /// As that of a load.
   math::TimeFunction history_function() const {
-    return type == MotionType::table ? math::TimeFunction(tabulated(history)) : math::Constant{};
+    if (type != MotionType::table) return math::Constant{};
+    return interpolation == Interpolation::smooth ? math::smooth(tabulated(history)) : tabulated(history);
   }
   /// [m] or [rad] the one of displacement, rotation and their amplitudes that is given; 1 for a table.
   double value() const {
@@ -157,6 +165,16 @@ void keys(V& v, Motion& m) {
     v.rows("history", m.history, {{{.help = "time", .unit = units::s}, value}},
            {.help = "the motion over time, rows of seconds and millimetres (degrees with rotation = true)",
             .required = true});
+    v.choice(
+        "interpolation", m.interpolation,
+        {.help = "straight lines, whose corners are jumps of velocity, or the cubic spline through the rows (smooth "
+                 "for eight rows and more that are evenly spaced: samples; otherwise linear)"});
+  });
+  v.when("type", m.type, {MotionType::harmonic_motion, MotionType::table}, [&] {
+    v.number("ease_s", m.ease,
+             {.help = "the time in which the motion swells from nothing to its full size, by a raised cosine",
+              .unit = units::s,
+              .at_least = 0});
   });
   v.vector("direction", m.direction,
            {.help = "the direction of the displacement, or the axis of the rotation, along x, y or z "

@@ -107,9 +107,10 @@ struct Static {
   double max_load_factor = 1;      ///< [-] `arc-length`: the path ends where the load factor first passes it
 };
 
-/// [-] bound of the numerical share where the case gives none; it holds for runs of `cycles_of_default_share` and more,
-/// since a span that has hardly begun to move has lost hardly anything.
+/// [-] bound of the numerical share where the case gives none: of what is lost over `cycles_of_default_share` cycles,
+/// or of `part_of_energy` of the greatest energy where that is more and the run is shorter, or where nothing is lost.
 inline constexpr double default_numerical_share = 0.05;
+inline constexpr double part_of_energy = 0.1;
 inline constexpr std::size_t cycles_of_default_share = 20;
 
 /// Where the case gives no step.
@@ -144,7 +145,8 @@ struct Scene {
   Analysis analysis;
   Acceptance accept;
   Source source;
-  std::vector<std::string> notes;  ///< what a reader of the case should know: old names that were used
+  std::vector<std::string> notes;     ///< what a reader of the case should know: old names that were used
+  std::vector<std::string> warnings;  ///< what is possible and unusual
 
   /// The chosen analysis; `as` where it is known to be this one.
   template <class T>

@@ -31,15 +31,30 @@ struct Harmonic {
   double rate(double t) const;
 };
 
-/// Straight lines between given points; constant before the first and after the last.
+/// Straight lines between given points, or the smooth curve through them; constant before the first and after the last.
 struct Tabulated {
-  std::vector<double> time;   ///< [s] increasing
-  std::vector<double> value;  ///< [-]
+  std::vector<double> time;        ///< [s] increasing
+  std::vector<double> value;       ///< [-]
+  std::vector<double> slope = {};  ///< [1/s] of the smooth curve at the points; empty: straight lines
 
   double at(double t) const;
   double rate(double t) const;  ///< at a corner that of the line which begins there
   /// [s] where the rate jumps. A table of many rows is a measured signal that the steps resolve: it has none.
   std::vector<double> corners() const;
+  /// [1/s] the largest jump of the rate before a time [s], those at both ends included.
+  double largest_jump(double before) const;
+};
+
+/// The cubic spline through the points of a table, its second derivative continuous and its third also beside the ends
+/// ("not a knot"): samples of a smooth signal, to the fourth power of their distance. Fewer than four points: straight.
+Tabulated smooth(Tabulated table);
+
+/// Swells from 0 to 1 by a raised cosine: what begins at full velocity can be brought in without a jump.
+struct Ease {
+  double duration = 0;  ///< [s] 0: at once
+
+  double at(double t) const;
+  double rate(double t) const;  ///< [1/s]
 };
 
 /// As a drive of the run says; 0 in an analysis that has no such drive.

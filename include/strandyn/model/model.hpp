@@ -36,12 +36,22 @@ struct Support {
   std::array<bool, unknown_kinds> fixed{};  ///< in the order of Unknown
 };
 
-/// Moves one unknown of a node as given, which holds it: amplitude times a function of time.
+/// Moves one unknown of a node as given, which holds it: amplitude times a function of time, eased in.
 struct PrescribedMotion {
   std::size_t node = 0;
   Unknown unknown = Unknown::y;
   double amplitude = 0;  ///< [m] or [rad]
   TimeFunction history = Constant{};
+  math::Ease ease = {};
+
+  /// [m] or [rad], and its derivative by time, under the drives of a run.
+  double at(double time, std::span<const Drive> drives) const {
+    return amplitude * ease.at(time) * math::evaluate(history, time, drives);
+  }
+  double rate(double time, std::span<const Drive> drives) const {
+    return amplitude * (ease.at(time) * math::rate(history, time, drives) +
+                        ease.rate(time) * math::evaluate(history, time, drives));
+  }
 };
 
 /// Force [N] and moment [N m] on a node, times a function of time. Both keep their direction in space.

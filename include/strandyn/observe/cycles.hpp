@@ -9,13 +9,14 @@
 
 #include "strandyn/observe/deflection_points.hpp"
 #include "strandyn/observe/ledger.hpp"
+#include "strandyn/observe/swing_range.hpp"
 
 namespace strandyn::observe {
 
 /// One cycle. Energies in J: work and losses of the cycle, kinetic and elastic at its end.
 struct Cycle {
   double end_time = 0;            ///< [s]
-  double antinode_amplitude = 0;  ///< [m] half of peak to peak at the largest antinode away from the ends
+  double antinode_amplitude = 0;  ///< [m] half of the greatest distance between two positions of one place
   double external_work = 0;
   double kinetic = 0;
   double elastic = 0;  ///< above that of the initial state
@@ -39,7 +40,8 @@ template <class V>
 void members(V& v, Cycle& c) {
   v.value("t_s", c.end_time, {.what = "the end of the cycle"});
   v.value("antinode_amplitude_m", c.antinode_amplitude,
-          {.what = "half of peak to peak at the largest antinode away from the ends", .shown = "antinode amplitude"});
+          {.what = "half of peak to peak at the largest antinode away from the ends, in whatever direction it swings",
+           .shown = "antinode amplitude"});
   v.value("external_work_J", c.external_work, {.what = "work of the loads and of moved supports"});
   v.value("kinetic_J", c.kinetic, {.what = "kinetic energy at the end"});
   v.value("elastic_J", c.elastic, {.what = "elastic energy at the end, above that of the initial state"});
@@ -121,8 +123,9 @@ class CycleObserver final : public Observer {
   std::size_t count_ = 0;
   std::optional<DeflectionPoints> places_;
   bool system_is_planar_ = true;
-  Range deflection_, curvature_, curvature_3_;  // curvatures about the axes 2 and 3; about 2 only in a plane
-  std::vector<double> friction_, material_;     // [J/m] of each section point in the cycle under way
+  SwingRange deflection_;
+  Range curvature_, curvature_3_;            // curvatures about the axes 2 and 3; about 2 only in a plane
+  std::vector<double> friction_, material_;  // [J/m] of each section point in the cycle under way
   std::deque<PointRecord> kept_;
 };
 

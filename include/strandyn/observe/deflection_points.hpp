@@ -19,8 +19,9 @@ class DeflectionPoints {
   DeflectionPoints(const model::Model& model, double loop_length);
 
   std::size_t size() const { return ends_.size(); }
+  std::size_t planes() const { return planes_; }
   /// [m] deflection across the reference line at place i; `u` holds all unknowns. A spatial chain has two directions
-  /// across at each place.
+  /// across at each place, one after the other.
   double at(const double* u, std::size_t i) const;
   /// Largest deflection in size: the antinode of a mode shape.
   double largest(const double* u) const;
@@ -36,6 +37,7 @@ class DeflectionPoints {
   };
   void add_point(const model::Model& model, Place place, const std::array<double, 4>& weight);
 
+  std::size_t planes_ = 1;
   std::vector<Term> terms_;        // of all places, one after the other
   std::vector<std::size_t> ends_;  // where the terms of each place end
 };

@@ -31,10 +31,11 @@ template <class V>
 void members(V& v, ModeRow& m) {
   v.value("number", m.number,
           {.what = "its place from the lowest mode up: among those across the span in its plane, or among all where "
-                   "modes near a frequency, of a span in space or of a frame are asked for"});
+                   "modes near a frequency, of a span in space or of a frame are asked for; 0: rigid"});
   v.value("frequency_Hz", m.frequency, {.what = "the natural frequency"});
   v.value("half_waves", m.half_waves, {.what = "half-waves along the span"});
-  v.value("kind", m.kind, {.what = "in-plane, out-of-plane, axial or torsional"});
+  v.value("kind", m.kind,
+          {.what = "in-plane, out-of-plane, axial, torsional, or rigid: the chain in one piece, which nothing holds"});
   v.value("modal_mass_kg", m.modal_mass, {.what = "the modal mass of a shape that is 1 where it is largest"});
 }
 std::vector<ModeRow> rows_of(const SpanAtRest& span, const std::vector<solver::Mode>& modes);

@@ -44,7 +44,7 @@ std::array<double, 4> energy_shares(const model::Model& model, const Vector& sha
 }  // namespace
 
 const char* name_of(ModeKind kind) {
-  constexpr std::array names = {"axial", "in-plane", "out-of-plane", "torsional"};
+  constexpr std::array names = {"axial", "in-plane", "out-of-plane", "torsional", "rigid"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "mode_kind.hpp"
+#include "rigid_modes.hpp"
 #include "strandyn/core/error.hpp"
 
 namespace strandyn::solver {
@@ -134,18 +135,23 @@ void keep_nearest(std::vector<RawMode>& modes, std::size_t count, double omega) 
 }
 
 /// Modes nearest to omega; the solver looks for those nearest in the square, which lean towards the lower ones.
-std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Matrix& M, const ModeOptions& options) {
+/// Rigid ones are known, and left out where they are.
+std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Matrix& M, const ModeOptions& options,
+                                const std::vector<RawMode>& rigid) {
   const double omega = 2 * std::numbers::pi * options.near;
-  const std::size_t count = options.count;
+  if (omega == 0 && options.count <= rigid.size()) return {rigid.begin(), rigid.begin() + options.count};
+  const std::size_t count = omega == 0 ? options.count - rigid.size() : options.count;
   // A shift that meets an eigenvalue to many digits makes its mode drown all others.
   constexpr double aside = 1e-4;
-  const double shift = std::pow(omega * (1 + aside), 2);
-  const std::size_t with_mass = unknowns_with_mass(system);
+  const bool free = omega == 0 && !rigid.empty();
+  const double shift = free ? shift_of_free_chain(K, M) : std::pow(omega * (1 + aside), 2);
+  const std::size_t with_mass = unknowns_with_mass(system) - (free ? rigid.size() : 0);
   const bool in_pairs = model::is_spatial(system.model().freedom);
   MassProduct mass(M);
   for (std::size_t asked = omega > 0 ? count + 2 : count;; asked += asked / 2 + 2) {
     asked = std::min(asked, with_mass - 1);
     ShiftedInverse inverse(K, M, options.stop);
+    if (free) inverse.leave_out(rigid);
     const Search search{.wanted = static_cast<Eigen::Index>(asked),
                         .independent = static_cast<Eigen::Index>(with_mass),
                         .shift = shift};
@@ -162,6 +168,7 @@ std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Mat
       separate_planes(system.model(), M, raw);
     }
     keep_nearest(raw, count, omega);
+    if (free) raw.insert(raw.begin(), rigid.begin(), rigid.end());
     double farthest = 0;
     for (const RawMode& mode : raw) farthest = std::max(farthest, distance(mode, omega));
     if (omega == 0 || asked + 1 >= with_mass || std::pow(omega + farthest, 2) - shift <= reach) return raw;
@@ -176,18 +183,31 @@ std::size_t modes_below(const Matrix& K, const Matrix& M, const RawMode& mode) {
   return math::negative_eigenvalues(shifted);
 }
 
+/// Stiffness and mass of the free unknowns at a state.
+struct Pencil {
+  Matrix K, M;
+
+  Pencil(const System& system, const Vector& u) : K(system.make_matrix()), M(system.make_matrix()) {
+    Vector force = system.make_vector();
+    system.internal_force(u.data(), force.data(), K);
+    system.subtract_external_tangent({.time = 0}, u.data(), K);
+    system.mass_matrix(u.data(), M);
+    K.make_symmetric();
+    take_out_held(system, K, M);
+  }
+};
+
+Mode as_rigid(Mode mode) {
+  mode.kind = ModeKind::rigid;
+  mode.frequency = 0;
+  mode.number = 0;
+  return mode;
+}
+
 }  // namespace
 
 std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOptions& options) {
-  Matrix K = system.make_matrix();
-  Matrix M = system.make_matrix();
-  Vector force = system.make_vector();
-  system.internal_force(u.data(), force.data(), K);
-  system.subtract_external_tangent({.time = 0}, u.data(), K);
-  system.mass_matrix(u.data(), M);
-  K.make_symmetric();
-  take_out_held(system, K, M);
-
+  const Pencil pencil(system, u);
   const std::size_t with_mass = unknowns_with_mass(system);
   // The solver finds all modes but the highest.
   if (options.count >= with_mass || with_mass < 2) {
@@ -196,20 +216,35 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
                     "give more [span] elements",
                     options.count, with_mass));
   }
-  std::vector<RawMode> raw = nearest_to(system, K, M, options);
+  const std::vector<RawMode> rigid = find_rigid(system, u, pencil.K, pencil.M);
+  const std::vector<RawMode> raw = nearest_to(system, pencil.K, pencil.M, options, rigid);
+  const double noise = rigid.empty() ? 0 : shift_of_free_chain(pencil.K, pencil.M);  // <= 0
   std::vector<Mode> modes;
   for (const RawMode& mode : raw) {
-    if (mode.eigenvalue < 0) {
+    if (mode.eigenvalue < noise) {
       throw ComputationError(
           fmt::format("mode {} has a negative stiffness (omega^2 = {:.3g} 1/s^2): the state about "
                       "which it vibrates is unstable; raise the tension",
                       modes.size() + 1, mode.eigenvalue));
     }
-    modes.push_back(describe(system.model(), M, mode));
+    modes.push_back(describe(system.model(), pencil.M, mode));
+    if (!rigid.empty() && mode.eigenvalue <= -noise) modes.back() = as_rigid(std::move(modes.back()));
   }
   // What is nearest to a frequency leaves no mode out in between.
-  const std::size_t before = options.near > 0 ? modes_below(K, M, raw.front()) : 0;
-  for (std::size_t i = 0; i < modes.size(); ++i) modes[i].number = before + i + 1;
+  std::size_t number = options.near > 0 ? modes_below(pencil.K, pencil.M, raw.front()) : 0;
+  number -= std::min(number, rigid.size());
+  for (Mode& mode : modes) {
+    if (mode.kind != ModeKind::rigid) mode.number = ++number;
+  }
+  return modes;
+}
+
+std::vector<Mode> rigid_modes(const System& system, const Vector& u) {
+  const Pencil pencil(system, u);
+  std::vector<Mode> modes;
+  for (const RawMode& mode : find_rigid(system, u, pencil.K, pencil.M)) {
+    modes.push_back(as_rigid(describe(system.model(), pencil.M, mode)));
+  }
   return modes;
 }
 

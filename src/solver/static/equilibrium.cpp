@@ -87,7 +87,7 @@ class Walk {
   Condition aim(double step, PathPoint& trial) {
     Condition condition{.control = options_.control};
     if (options_.control == Control::load) {
-      trial.factor = std::min(1.0, done_ + step);
+      trial.factor = options_.max_load_factor * std::min(1.0, done_ + step);
     } else if (options_.control == Control::displacement) {
       condition.point = options_.point;
       condition.point.target = start_ + std::min(1.0, done_ + step) * (options_.point.target - start_);

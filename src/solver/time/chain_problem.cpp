@@ -45,7 +45,7 @@ void ChainProblem::residual(double t, const double* y, const double* yp, double*
   }
 }
 
-void ChainProblem::refresh(double cj) {
+bool ChainProblem::refresh(double cj) {
   const system::State state{.u = u_.data(), .v = v_.data(), .a = a_.data()};
   if (!tangent_at_hand_) system_.residual({.u = u_.data()}, at(time_), scratch_.data(), K_);
   tangent_at_hand_ = false;  // what follows makes another matrix of it
@@ -54,8 +54,9 @@ void ChainProblem::refresh(double cj) {
   system_.add_inertia_and_drag(state, {.acceleration = cj, .velocity = 1, .position = 0}, G_);
   const Stopwatch::Lap lap(system_.stopwatch(), Part::factorization);
   system_.hold(K_);
-  if (!factors_.factorize(K_)) throw ComputationError("the matrix of the implicit step is singular");
-  cj_ = cj;
+  const bool done = factors_.factorize(K_);
+  cj_ = done ? cj : 0;
+  return done;
 }
 
 void ChainProblem::solve(const double* b, double* x) {

@@ -18,8 +18,8 @@ class ChainProblem {
   /// F(t, y, y'), each of length 2 * unknowns: first u, then v. `with_tangent`: `refresh` will follow, so the law is
   /// asked once for force and tangent.
   void residual(double t, const double* y, const double* yp, double* f, bool with_tangent);
-  /// Factors the matrix at the state of the last residual.
-  void refresh(double cj);
+  /// Factors the matrix at the state of the last residual. False where it is singular.
+  bool refresh(double cj);
   /// Solves J x = b with the factors at hand.
   void solve(const double* b, double* x);
 

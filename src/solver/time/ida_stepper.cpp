@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "ida_memory.hpp"
@@ -78,6 +79,8 @@ IdaStepper::IdaStepper(system::System& system, const InitialMotion& initial, con
   // that follow meet the cycle's ends.
   check(IDASetInitStep(ida, options.step / 256), "IDASetInitStep");
   check(IDASetMaxConvFails(ida, 20), "IDASetMaxConvFails");
+  // A step that has to be cut below this does not move time.
+  check(IDASetMinStep(ida, options.step * std::exp2(-40)), "IDASetMinStep");
 
   make_linear_solver();
   check(IDASetLinearSolver(ida, linear_.get(), matrix_.get()), "IDASetLinearSolver");
@@ -193,10 +196,12 @@ int IdaStepper::weights(N_Vector y, N_Vector weight, void* self) {
   return 0;
 }
 
-/// SUNDIALS is C: an exception must not cross it. It is kept and thrown again when IDA has returned.
+/// SUNDIALS is C: an exception must not cross it. It is kept and thrown again when IDA has returned. Work that says
+/// false is what a shorter step may do better.
 template <class F>
 int IdaStepper::guarded(F&& work) {
   try {
+    if constexpr (std::is_same_v<decltype(work()), bool>) return work() ? 0 : 1;
     work();
     return 0;
   } catch (...) {
@@ -216,7 +221,7 @@ int IdaStepper::residual(sunrealtype t, N_Vector y, N_Vector yp, N_Vector f, voi
 int IdaStepper::refresh(sunrealtype, sunrealtype cj, N_Vector, N_Vector, N_Vector, SUNMatrix, void* self, N_Vector,
                         N_Vector, N_Vector) {
   auto& stepper = *static_cast<IdaStepper*>(self);
-  return stepper.guarded([&] { stepper.problem_.refresh(cj); });
+  return stepper.guarded([&] { return stepper.problem_.refresh(cj); });
 }
 
 int IdaStepper::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b, sunrealtype) {
@@ -227,8 +232,9 @@ int IdaStepper::solve(SUNLinearSolver solver, SUNMatrix, N_Vector x, N_Vector b,
     sunrealtype cj = 0;
     IDAGetCurrentCj(stepper.ida_.get(), &cj);
     const bool stale = std::abs(cj / stepper.problem_.factored_cj() - 1) > 0.01;
-    if (iteration >= stepper.patience_ || stale) stepper.problem_.refresh(cj);
+    if ((iteration >= stepper.patience_ || stale) && !stepper.problem_.refresh(cj)) return false;
     stepper.problem_.solve(N_VGetArrayPointer(b), N_VGetArrayPointer(x));
+    return true;
   });
 }
 

@@ -17,7 +17,10 @@ std::vector<double> stop_times(const model::Model& model, double end_time) {
     }
   };
   for (const model::Load& load : model.loads) add(load.history);
-  for (const model::PrescribedMotion& motion : model.motions) add(motion.history);
+  for (const model::PrescribedMotion& motion : model.motions) {
+    add(motion.history);
+    if (motion.ease.duration > 0 && motion.ease.duration < end_time) times.push_back(motion.ease.duration);
+  }
   std::sort(times.begin(), times.end());
   times.erase(std::unique(times.begin(), times.end()), times.end());
   times.push_back(end_time);

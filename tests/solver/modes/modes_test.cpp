@@ -240,11 +240,3 @@ TEST_CASE("modes: a span under compression beyond buckling is called unstable") 
   system.begin(zeros(model));
   CHECK_THROWS_WITH_AS(find_modes(system, zeros(model), {.count = 2}), doctest::Contains("unstable"), ComputationError);
 }
-
-TEST_CASE("modes: a chain that nothing holds is refused") {
-  model::Model model = test::cantilever(test::linear_law(1e6, 100), 1, 5);
-  model.supports = {};
-  System system(model);
-  system.begin(zeros(model));
-  CHECK_THROWS_AS(find_modes(system, zeros(model), {.count = 2}), ComputationError);
-}

@@ -224,12 +224,8 @@ TEST_CASE("rest: bending rules the tension of a slack strand between clamps") {
 }
 
 TEST_CASE("rest: a slack strand with friction between clamps hangs alike on any mesh") {
-  const Cable cable{.span = clamped_span,
-                    .length = clamped_length,
-                    .weight = clamped_weight,
-                    .EA = 47e6,
-                    .EI = 35,
-                    .elements = 40};
+  const Cable cable{
+      .span = clamped_span, .length = clamped_length, .weight = clamped_weight, .EA = 47e6, .EI = 35, .elements = 40};
   std::vector<double> sags;
   for (const std::size_t elements : {20, 40, 80}) {
     Cable strand = cable;

@@ -45,7 +45,7 @@ struct EquilibriumOptions {
   Control control = Control::load;
   ControlledPoint point = {};  ///< displacement control
   double arc_step = 0;         ///< [m] Euclidean norm of all displacements; 0: that of a load step of 1/steps
-  double max_load_factor = 1;  ///< arc length: the path ends when it first passes this
+  double max_load_factor = 1;  ///< load: where the path ends; arc length: it ends when it first passes this
   Stop stop = {};              ///< asked after each step: true ends the path early
   /// Told of each step after its commit, with the state and the share of the path that is done.
   std::function<void(const EquilibriumStep&, const system::Vector& u, double done)> watch = {};
