@@ -33,7 +33,8 @@ std::string unseal(const Seal& seal, std::string_view file) {
   Archive sum{std::string(file.substr(marked.size()))};
   std::uint64_t value = 0;
   sum(value);
-  if (value != checksum(marked)) throw FileError("it is damaged or cut off: its checksum does not fit");
+  if (checksums_count && value != checksum(marked))
+    throw FileError("it is damaged or cut off: its checksum does not fit");
 
   Archive a{std::string(marked.substr(expected.size()))};
   std::uint32_t version = 0;

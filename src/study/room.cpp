@@ -19,6 +19,9 @@ constexpr double usual_elements = 100;   // where the program chooses
 
 /// [B] what the machine has, or what the shell allows.
 double memory_there_is() {
+#ifdef STRANDYN_FUZZ
+  return 16e6;  // a fuzzer asks for the most that is allowed, thousands of times
+#endif
   const double pages = static_cast<double>(::sysconf(_SC_PHYS_PAGES));
   double memory = pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
   rlimit limit{};
