@@ -1,6 +1,7 @@
 #include "strandyn/observe/cycles.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace strandyn::observe {
@@ -70,6 +71,21 @@ void CycleObserver::step(const system::System& system, const StepRecord& record)
 void CycleObserver::archive(Archive& a) {
   a(ledger_, before_, cycle_start_, time_before_, cycles_, count_);
   a(deflection_, curvature_, curvature_3_, friction_, material_, kept_);
+  if (a.reads()) check_read();
+}
+
+/// What the sizes of the rows leave open: cycles that have ended are as many as the time has periods.
+void CycleObserver::check_read() const {
+  const double ended = time_before_ / options_.period;
+  const auto count = static_cast<double>(count_);
+  const bool counted = count >= std::floor(ended) && count <= std::floor(ended + 1e-6);
+  const bool kept =
+      cycles_.size() <= count_ && (count_ == 0 || !cycles_.empty()) && kept_.size() == std::min(count_, options_.kept);
+  const bool whole = std::ranges::all_of(kept_, [this](const PointRecord& record) {
+    return record.friction.size() == friction_.size() && record.material.size() == friction_.size() &&
+           record.curvature_amplitude.size() == friction_.size();
+  });
+  if (!counted || !kept || !whole) throw InputError("its cycles are not those of its time");
 }
 
 void CycleObserver::end_cycle(const Account& at_end, double time) {

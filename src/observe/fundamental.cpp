@@ -1,9 +1,19 @@
 #include "strandyn/observe/fundamental.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace strandyn::observe {
+
+void Fundamental::archive(Archive& a) {
+  a(count_, rest_, before_, time_before_, sum_, kept_);
+  if (!a.reads()) return;
+  const bool whole = std::ranges::all_of(kept_, [this](const auto& motion) { return motion.size() == rest_.size(); });
+  if (!whole || kept_.size() != std::min(count_, options_.kept)) {
+    throw InputError("the motions of its last cycles are not as many as they must be");
+  }
+}
 
 Eigen::VectorXcd Fundamental::turned_back(const StepRecord& record) const {
   const double angle = 2 * std::numbers::pi * record.time / options_.period;

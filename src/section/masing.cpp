@@ -8,6 +8,7 @@
 #include "masing_kernel.hpp"
 #include "strandyn/conductor/constants.hpp"
 #include "strandyn/conductor/contact.hpp"
+#include "strandyn/core/error.hpp"
 
 namespace strandyn::section {
 
@@ -45,7 +46,7 @@ constexpr std::size_t initial_capacity = 8;
 /// Reversal points that the history has room for, per section.
 std::size_t capacity_of(const History& history, std::size_t layers) {
   const std::size_t rows = history.data.size() / std::max(padded(history.points), block_lanes);
-  return rows > 0 ? (rows - rows_before_stack(layers)) / path_point_rows : 0;
+  return rows > rows_before_stack(layers) ? (rows - rows_before_stack(layers)) / path_point_rows : 0;
 }
 
 std::size_t block_size(std::size_t layers, std::size_t capacity) {
@@ -316,11 +317,21 @@ Effort MasingLaw::commit(History& history, const Field& strains, StepEnergy& ene
 }
 
 std::size_t MasingLaw::deepest_memory(const History& history) const {
-  const std::size_t size = block_size(EI_layer_.size(), capacity_of(history, EI_layer_.size()));
+  const std::size_t capacity = capacity_of(history, EI_layer_.size());
+  const std::size_t size = block_size(EI_layer_.size(), capacity);
+  // A history may come from a file, and its depths say where the law reads.
+  const auto none_of_this_law = [] {
+    return InputError("the memory of a section is none that the law \"masing\" can have");
+  };
+  if (capacity < initial_capacity || history.data.size() != padded(history.points) / block_lanes * size) {
+    throw none_of_this_law();
+  }
   double deepest = 0;
   for (std::size_t block = 0; block < history.data.size(); block += size) {
     const double* row = history.data.data() + block + depth * block_lanes;
-    deepest = std::max(deepest, *std::max_element(row, row + block_lanes));
+    const auto [least, most] = std::minmax_element(row, row + block_lanes);
+    if (!(*least >= 0 && *most <= static_cast<double>(capacity))) throw none_of_this_law();
+    deepest = std::max(deepest, *most);
   }
   return static_cast<std::size_t>(deepest);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "strandyn/air/still_air.hpp"
@@ -89,7 +90,9 @@ std::optional<GridFit> fit_of(const Scene& scene, const std::vector<PointRow>& r
 
 }  // namespace
 
-std::vector<LocalExponents> local_exponents(const std::vector<SelfDampingPoint>& points) {
+std::vector<LocalExponents> local_exponents(const std::vector<SelfDampingPoint>& all_points) {
+  std::vector<SelfDampingPoint> points;  // where nothing is lost no power law has an exponent
+  std::ranges::copy_if(all_points, std::back_inserter(points), [](const auto& point) { return point.power > 0; });
   const auto amplitude = [](const TestCondition& at) { return at.antinode_amplitude; };
   const auto frequency = [](const TestCondition& at) { return at.frequency; };
   const auto tension = [](const TestCondition& at) { return at.tension; };
@@ -101,7 +104,6 @@ std::vector<LocalExponents> local_exponents(const std::vector<SelfDampingPoint>&
   };
   std::vector<LocalExponents> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].power <= 0) continue;
     LocalExponents local{.at = points[i].at};
     const auto along_A = neighbours(
         points, i,

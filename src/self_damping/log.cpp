@@ -90,6 +90,7 @@ void PointLog::read(const std::vector<Point>& points) {
   const std::string file = results::read_file(path_);
   std::string_view rest = file;
   std::size_t number = 0, first_bad = 0, bad = 0;
+  dropped_ = 0;
   while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
     if (end == std::string_view::npos) break;  // cut by the end of the program
@@ -99,6 +100,7 @@ void PointLog::read(const std::vector<Point>& points) {
     const bool head = line && line->study == study_;
     if (number == 1 && !head) {
       rows_.clear();
+      dropped_ = static_cast<std::size_t>(std::ranges::count(rest, '\n'));
       fault_ = fmt::format(
           "{}: its first line does not name this study as this program would: all points are computed "
           "again; resume with the case and the program that began it",
@@ -115,6 +117,7 @@ void PointLog::read(const std::vector<Point>& points) {
     if (whole || (number == 1 && head)) continue;
     if (bad++ == 0) first_bad = number;
   }
+  dropped_ = bad;
   if (bad > 0) {
     fault_ = fmt::format(
         "{}: {} of its lines, the first of them line {}, {} not as {} written: what they held is "

@@ -20,7 +20,7 @@ namespace {
 /// Raise the version with every change of what is archived, wherever it is.
 Seal checkpoint_seal() {
   static const std::string writer = fmt::format("strandyn {} ({})", program_version, program_revision);
-  return {.kind = "checkpoint", .version = 3, .writer = writer};
+  return {.kind = "checkpoint", .version = 4, .writer = writer};
 }
 
 /// Every number and word of the case with its path, without what does not touch its numbers.
@@ -91,6 +91,7 @@ CheckpointFile::CheckpointFile(const casefile::Scene& scene, const Hooks& hooks)
     Archive a(unseal(checkpoint_seal(), file));
     a(identity, resume_);
     a.finish();
+    resumes_ = !resume_.empty();
   } catch (const FileError& error) {
     throw FileError(fmt::format("cannot resume from {}: {}; run without --resume", path_.string(), error.what()));
   }
@@ -106,6 +107,13 @@ solver::Checkpoints CheckpointFile::checkpoints(std::function<bool()> interrupte
   hooks.due = [this, stopped = std::move(interrupted)] { return is_due() || stopped(); };
   hooks.keep = [this](const std::string& state) { write(state); };
   return hooks;
+}
+
+void CheckpointFile::refuse_state(const observe::CheckpointCheck& check, const std::string& why) const {
+  if (!check.takes_up()) return;
+  throw InputError(fmt::format(
+      "cannot resume from {}: it is no state that this case can be in: {}; take it away, or run without --resume",
+      path_.string(), why));
 }
 
 bool CheckpointFile::is_due() const {

@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "strandyn/casefile/scene.hpp"
+#include "strandyn/core/error.hpp"
+#include "strandyn/observe/checkpoint_check.hpp"
 #include "strandyn/solver/time/integrator.hpp"
 #include "strandyn/study/analysis.hpp"
 
@@ -22,14 +24,34 @@ class CheckpointFile {
   /// interrupted. This object must outlive the run.
   solver::Checkpoints checkpoints(std::function<bool()> interrupted);
 
+  /// Runs what takes up the state. What is thrown as long as the check waits for it is a fault of the file: an
+  /// InputError that names it.
+  template <class Run>
+  solver::IntegratorSummary take_up(observe::CheckpointCheck& check, Run&& run) {
+    if (resumes_) check.expect_state();
+    try {
+      const solver::IntegratorSummary summary = run();
+      check.ended(summary.end_time);
+      return summary;
+    } catch (const FileError& error) {
+      refuse_state(check, error.what());
+      throw;
+    } catch (const InputError& error) {
+      refuse_state(check, error.what());
+      throw;
+    }
+  }
+
  private:
   bool is_due() const;
   void write(const std::string& state);
+  void refuse_state(const observe::CheckpointCheck& check, const std::string& why) const;
 
   std::filesystem::path path_;
   std::optional<double> every_;  // [s] of wall time
   std::string identity_;         // of the case
   std::string resume_;
+  bool resumes_ = false;
   std::chrono::steady_clock::time_point written_ = std::chrono::steady_clock::now();
 };
 

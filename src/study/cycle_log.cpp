@@ -23,6 +23,29 @@ std::string line_of(std::size_t number, const std::vector<double>& values) {
   return fmt::format("{},{}\n", static_cast<double>(number), fmt::join(values, ","));
 }
 
+struct Cut {
+  std::uintmax_t end = 0;  ///< [B] where the wanted lines end, as far as there are any
+  std::size_t lines = 0;   ///< that the whole file has
+};
+
+/// Piece by piece: a file of a million cycles is larger than all else that a run holds.
+Cut cut_after(std::size_t wanted, const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(fmt::format("cannot read {}", path.string()));
+  Cut cut;
+  std::uintmax_t at = 0;
+  std::vector<char> piece(1U << 16U);
+  do {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    for (std::streamsize i = 0; i < file.gcount(); ++i) {
+      ++at;
+      if (piece[static_cast<std::size_t>(i)] == '\n' && ++cut.lines <= wanted) cut.end = at;
+    }
+  } while (file);
+  if (file.bad()) throw FileError(fmt::format("cannot read {} to its end", path.string()));
+  return cut;
+}
+
 }  // namespace
 
 CycleLog::CycleLog(const std::filesystem::path& folder, DampingRatio damping_ratio)
@@ -32,7 +55,9 @@ CycleLog::CycleLog(const std::filesystem::path& folder, DampingRatio damping_rat
 }
 
 void CycleLog::reopen() {
-  if (count_ == 0 || !std::filesystem::exists(path_)) {
+  const bool there = std::filesystem::exists(path_);
+  if (count_ == 0 || !there) {
+    if (recomputed_ && there) recomputed_ = std::max<std::size_t>(cut_after(1, path_).lines, 1) - 1;
     std::string text = header();
     if (count_ > first_.size()) {
       throw FileError(
@@ -43,19 +68,15 @@ void CycleLog::reopen() {
     for (std::size_t i = 0; i < count_; ++i) text += line_of(i + 1, ColumnReader::of(first_[i]).values);
     results::write_file(path_, text);
   } else {
-    const std::string text = results::read_file(path_);
-    std::size_t end = 0;
-    for (std::size_t lines = 0; lines < count_ + 1; ++lines) {
-      end = text.find('\n', end);
-      if (end == std::string::npos) {
-        throw FileError(
-            fmt::format("cannot resume: {} does not hold the {} cycles up to the checkpoint; run without "
-                        "--resume",
-                        path_.string(), count_));
-      }
-      ++end;
+    const Cut cut = cut_after(count_ + 1, path_);
+    if (cut.lines <= count_) {
+      throw FileError(
+          fmt::format("cannot resume: {} does not hold the {} cycles up to the checkpoint; run without "
+                      "--resume",
+                      path_.string(), count_));
     }
-    std::filesystem::resize_file(path_, end);
+    recomputed_ = cut.lines - (count_ + 1);
+    std::filesystem::resize_file(path_, cut.end);
   }
   file_.open(path_, std::ios::app | std::ios::binary);
 }
@@ -83,7 +104,14 @@ void CycleLog::add(const Cycle& cycle) {
 
 void CycleLog::archive(Archive& a) {
   a(count_, first_, last_, least_, largest_, sum_);
-  if (a.reads() && !path_.empty()) reopen();
+  if (!a.reads()) return;
+  const std::size_t columns = count_ > 0 ? ColumnReader::of(Cycle{}).names.size() : 0;
+  const bool whole = first_.size() == std::min(count_, most_kept) &&
+                     last_.size() == std::min(count_ - first_.size(), most_kept) && least_.size() == columns &&
+                     largest_.size() == columns && sum_.size() == columns;
+  if (!whole) throw InputError("the cycles in it are not as many as it counts");
+  recomputed_ = 0;
+  if (!path_.empty()) reopen();
 }
 
 namespace {
@@ -98,15 +126,25 @@ void members(V& v, CycleRow& r) {
   v.value("damping_ratio", r.damping_ratio, {.what = "of a decay, by the ledger, of the antinode's velocity"});
 }
 
+struct Recomputed {
+  std::size_t cycles = 0;
+};
+template <class V>
+void members(V& v, Recomputed& r) {
+  v.value("cycles", r.cycles, {.what = "that had ended between the checkpoint and the end of the run that wrote it"});
+}
+
 /// What the summary has of the cycles.
 struct CyclesOfSummary {
   std::vector<CycleRow> cycles;
   std::size_t count = 0;
+  std::optional<Recomputed> recomputed{};
 };
 template <class V>
 void members(V& v, CyclesOfSummary& s) {
   v.list("cycles", s.cycles, {.what = "the first and the last thousand; all are in cycles.csv"});
   v.value("cycle_count", s.count, {.what = "of all cycles"});
+  v.record("recomputed", s.recomputed, {.what = "where a run has gone on from a checkpoint: what was computed twice"});
 }
 
 }  // namespace
@@ -139,6 +177,7 @@ void CycleLog::add_to(Outcome& outcome) const {
   if (count_ > kept.size()) list.say_of_all(std::move(all));
   outcome.summary.set("cycles", std::move(list));
   outcome.summary.set("cycle_count", count_);
+  if (recomputed_) outcome.summary.set("recomputed", results::to_value(Recomputed{.cycles = *recomputed_}));
 
   std::vector<std::string> columns = {"cycle"};
   columns.insert(columns.end(), names.begin(), names.end());

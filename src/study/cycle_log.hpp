@@ -46,6 +46,7 @@ class CycleLog final : public observe::Observer {
   DampingRatio damping_ratio_;
   std::ofstream file_;
   std::size_t count_ = 0;
+  std::optional<std::size_t> recomputed_;  // cycles that the file had beyond the checkpoint, where there was one
   std::vector<observe::Cycle> first_;
   std::deque<observe::Cycle> last_;
   std::vector<double> least_, largest_, sum_;  // of each member

@@ -80,6 +80,14 @@ class March {
   std::mutex mutex_;
 };
 
+struct RecomputedPoints {
+  std::size_t points = 0;
+};
+template <class V>
+void members(V& v, RecomputedPoints& r) {
+  v.value("points", r.points, {.what = "whose lines of points.jsonl were not as they had been written"});
+}
+
 struct StudySummary {
   std::vector<PointRow> points;
   self_damping::Fits fits;
@@ -87,6 +95,7 @@ struct StudySummary {
   std::optional<std::vector<self_damping::OnsetRow>> onsets{};
   std::optional<std::vector<self_damping::ComparisonRow>> comparisons{};
   std::optional<std::vector<self_damping::BalanceRow>> balances{};
+  std::optional<RecomputedPoints> recomputed{};
 };
 template <class V>
 void members(V& v, StudySummary& s) {
@@ -96,6 +105,7 @@ void members(V& v, StudySummary& s) {
   v.list("no_slip_below", s.onsets, {.what = "amplitudes below which no contact slips"});
   v.list("comparisons", s.comparisons, {.what = "points that several methods have reached"});
   v.list("energy_balance", s.balances, {.what = "how far a bare conductor vibrates in the wind"});
+  v.record("recomputed", s.recomputed, {.what = "where a study has gone on: what was computed twice"});
 }
 
 /// What `describe` tells of a study.
@@ -302,6 +312,7 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
   }
   const bool finished = rows.size() == points_.size();
   sum_up(rows, finished, outcome);
+  if (log.dropped()) outcome.summary.set("recomputed", results::to_value(RecomputedPoints{.points = *log.dropped()}));
   if (!finished) {
     outcome.exit_code = ExitCode::interrupted;
     outcome.message =

@@ -313,7 +313,8 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
                                  .each = [&](const Cycle& cycle) { log.add(cycle); }});
   observe::Fundamental fundamental({.period = 1 / plan.frequency});
   ProgressReport progress(plan, hooks, cycles);
-  observe::Observer* const observers[] = {&cycles, &log, &fundamental, &progress};
+  observe::CheckpointCheck check(cycles.ledger(), static_cast<double>(plan.cycles) / plan.frequency);
+  observe::Observer* const observers[] = {&cycles, &log, &fundamental, &progress, &check};
   bool interrupted = false;
   bool steady = false;
   std::size_t judged = 0;
@@ -328,8 +329,9 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
   options.stop = stop;
   options.checkpoints = checkpoint.checkpoints([&] { return interrupted; });
-  const solver::IntegratorSummary run =
-      solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, integration_.method(), observers);
+  const solver::IntegratorSummary run = checkpoint.take_up(check, [&] {
+    return solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, integration_.method(), observers);
+  });
 
   add_integration(run, span.system, outcome);
   const observe::Profile profile = cycles.profile(span.system);

@@ -352,8 +352,8 @@ Accepted System::commit(const double* u, double time) {
 }
 
 void System::archive(Archive& a) {
-  a.same(history_.data.size(), "size of the sections' history");
-  a(history_.data, energy_.stored, energy_.dissipated, energy_.quadrature_error);
+  a.grown(history_.data);  // some laws remember as many reversals as there have been
+  a(energy_.stored, energy_.dissipated, energy_.quadrature_error);
   for (std::size_t c = 0; c < section::component_count; ++c) a(committed_[section::Component{c}]);
   a(material_, clock_, effort_, residual_evaluations_, jacobian_evaluations_);
 }

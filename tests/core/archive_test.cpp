@@ -56,7 +56,7 @@ Whole filled() {
   x.kind = Kind::two;
   x.plain = {.length = 1.5, .width = -0.0};
   x.coefficients[2] = std::numeric_limits<double>::denorm_min();
-  x.pair = {std::numeric_limits<double>::infinity(), 3};
+  x.pair = {std::numeric_limits<double>::max(), 3};
   x.text = std::string("a\0b", 3);
   x.aligned = {1, 2, 3};
   x.vector = Eigen::VectorXd::LinSpaced(5, 0, 1);

@@ -162,6 +162,25 @@ TEST_CASE("grid: local exponents of one power are that power at every point, of 
   }
 }
 
+TEST_CASE("grid: points at which nothing slips are no neighbours of those that lose") {
+  // The smallest amplitude loses nothing, whatever the frequency: the law of the others shows all the same.
+  std::vector<analysis::SelfDampingPoint> points;
+  for (const double f : {10.0, 15.0, 30.0}) {
+    for (const double A : {1e-3, 2e-3, 5e-3}) {
+      points.push_back({.at = {.antinode_amplitude = A, .frequency = f, .tension = 2e4},
+                        .power = A < 1.5e-3 ? 0 : 3 * std::pow(A, 2.4) * std::pow(f, 5.6)});
+    }
+  }
+  const std::vector<LocalExponents> found = local_exponents(points);
+  CHECK(found.size() == 6);
+  for (const LocalExponents& local : found) {
+    REQUIRE(local.l);
+    REQUIRE(local.m);
+    check_close(*local.l, 2.4, {.absolute = 1e-9});
+    check_close(*local.m, 5.6, {.absolute = 1e-9});
+  }
+}
+
 TEST_CASE("grid: velocities beyond the amplitude that is allowed give no point") {
   const Ready ready("stick",
                     "frequencies_Hz = [10, 50]\nantinode_velocity_m_per_s = [0.1, 1]\n"

@@ -3,10 +3,13 @@
 ///
 ///     void archive(Archive& a) { a(time_, u_, cycles_); }
 ///
-/// Numbers are copied as they lie in memory; whoever reads is the program that wrote. `seal` adds what a file needs so
-/// that nothing else is taken for it: a mark, a version, the writer, the length, and a checksum that every single wrong
-/// byte changes.
+/// Numbers are copied as they lie in memory; whoever reads is the program that wrote. What is read holds to what every
+/// state does: a row that has a size already keeps it, a number is finite, a flag is 0 or 1. `seal` adds what a file
+/// needs so that nothing else is taken for it: a mark, a version, the writer, the length, and a checksum that every
+/// single wrong byte changes.
 
+#include <cmath>
+#include <complex>
 #include <concepts>
 #include <cstdint>
 #include <cstring>
@@ -39,9 +42,19 @@ class Archive {
   /// Writes a value that the reader has already, and must have in common with the writer. Throws InputError.
   template <class T>
   void same(const T& value, std::string_view what) {
-    T found = value;
+    T found{};  // of any size
+    if (!reads_) found = value;
     field(found);
     if (!(found == value)) throw InputError("the state belongs to something else: another " + std::string(what));
+  }
+
+  /// A row that may have grown since it was first made: read, it has at least the size that it has here.
+  template <class Row>
+  void grown(Row& x) {
+    const std::size_t before = x.size();
+    if (reads_) x.clear();
+    field(x);
+    if (x.size() < before) throw FileError("a row of the state has lost some of its entries");
   }
 
   /// To be called after the last field. Throws FileError where something is left over.
@@ -62,12 +75,20 @@ class Archive {
       x.archive(*this);
     } else if constexpr (has_fixed_size<T>) {
       raw(x.data(), sizeof(*x.data()) * T::SizeAtCompileTime);
+      for (std::ptrdiff_t i = 0; i < std::ptrdiff_t{T::SizeAtCompileTime}; ++i) check(x.data()[i]);
     } else if constexpr (requires { x.resize(x.size()); }) {
       row(x);
     } else {
       static_assert(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T>);
       raw(&x, sizeof x);
+      check(x);
     }
+  }
+  void field(bool& x) {
+    auto byte = static_cast<unsigned char>(x);
+    raw(&byte, sizeof byte);
+    if (byte > 1) throw FileError("a flag of the state is neither 0 nor 1");
+    x = byte == 1;
   }
   template <class T>
   void field(std::optional<T>& x) {
@@ -88,10 +109,15 @@ class Archive {
     field(size);
     if (reads_) {
       require(size, numbers ? sizeof(Entry) : 1);
+      if (x.size() > 0 && size != static_cast<std::uint64_t>(x.size())) {
+        throw FileError("a row of the state has " + std::to_string(size) + " entries where " +
+                        std::to_string(x.size()) + " are due");
+      }
       x.resize(static_cast<std::size_t>(size));
     }
     if constexpr (numbers) {
       raw(x.data(), sizeof(Entry) * static_cast<std::size_t>(size));
+      for (const Entry& entry : x) check(entry);
     } else {
       for (Entry& entry : x) field(entry);
     }
@@ -105,6 +131,19 @@ class Archive {
     require(size, 1);
     if (size > 0) std::memcpy(data, bytes_.data() + at_, size);
     at_ += size;
+  }
+
+  template <class T>
+  void check(const T& x) const {
+    if (!reads_) return;
+    if constexpr (std::is_floating_point_v<T>) {
+      if (!std::isfinite(x)) throw FileError("a number of the state is not finite");
+    } else if constexpr (requires { x.imag(); }) {
+      check(x.real());
+      check(x.imag());
+    } else if constexpr (std::ranges::range<const T>) {
+      for (const auto& entry : x) check(entry);
+    }
   }
 
   void require(std::uint64_t count, std::size_t size) const {

@@ -30,6 +30,11 @@ struct Cycle {
   double internal_work = 0;
   std::size_t elements_slipping = 0;  ///< in which some friction was dissipated
 
+  void archive(Archive& a) {
+    a(end_time, antinode_amplitude, external_work, kinetic, elastic, friction, material, viscous);
+    for (const system::ViscousTerm& term : system::viscous_terms) a(viscous_parts.*term.value);
+    a(air, numerical, quadrature_error, internal_work, elements_slipping);
+  }
   /// What counts as self-damping, where viscous damping stands for it; and all that physics takes.
   double self_damping() const { return friction + material + viscous; }
   double dissipated() const { return self_damping() + air; }
@@ -113,6 +118,7 @@ class CycleObserver final : public Observer {
   void watch(const system::System& system, const StepRecord& record);
   void end_cycle(const Account& at_end, double time);
   void restart(const system::System& system);
+  void check_read() const;
 
   CycleOptions options_;
   Ledger ledger_;

@@ -23,7 +23,7 @@ class Fundamental final : public Observer {
 
   void begin(const system::System& system, const StepRecord& initial) override;
   void step(const system::System& system, const StepRecord& record) override;
-  void archive(Archive& a) override { a(count_, rest_, before_, time_before_, sum_, kept_); }
+  void archive(Archive& a) override;
 
   /// Phasors of all unknowns; empty before the first cycle has ended.
   Eigen::VectorXcd motion() const;

@@ -32,6 +32,11 @@ struct Account {
 
   /// All that physics takes: the numerical part is measured against it.
   double dissipated() const { return friction + material + viscous.total() + air; }
+  void archive(Archive& a) {
+    a(external_work, kinetic, elastic, friction, material);
+    for (const system::ViscousTerm& term : system::viscous_terms) a(viscous.*term.value);
+    a(air, quadrature_error, internal_work, initial_kinetic);
+  }
   double numerical() const { return external_work - (kinetic - initial_kinetic) - elastic - dissipated(); }
 };
 

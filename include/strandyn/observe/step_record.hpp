@@ -7,7 +7,8 @@
 
 namespace strandyn::observe {
 
-/// Valid during the call only: whoever wants to keep something copies it.
+/// Valid during the call only: whoever wants to keep something copies it. Within a run u, v and a are the same vectors
+/// in every call, that of `begin` included.
 struct StepRecord {
   double time = 0;  ///< [s] at the end of the step
   double step = 0;  ///< [s] its length; 0 for the initial state

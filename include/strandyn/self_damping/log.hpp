@@ -33,6 +33,8 @@ class PointLog {
   const std::map<std::size_t, PointRow>& rows() const { return rows_; }
   /// What was found wrong with the file, in words for the user.
   const std::optional<std::string>& fault() const { return fault_; }
+  /// Lines that were there and did not hold; nothing where no file was taken up.
+  std::optional<std::size_t> dropped() const { return dropped_; }
   /// Adds a finished point; it is in the file when this returns. Throws FileError.
   void add(std::size_t point, const PointRow& row);
   /// Writes all points in order and marks the study as finished: the next run computes anew.
@@ -48,6 +50,7 @@ class PointLog {
   bool finished_ = false;
   std::map<std::size_t, PointRow> rows_;
   std::optional<std::string> fault_;
+  std::optional<std::size_t> dropped_;
 };
 
 /// What the numbers of a point depend on: the program, its vector target (`machine`), and the case without what only
