@@ -24,7 +24,10 @@ class SwingRange {
   /// [m] at the place that swings farthest; 0 where nothing was seen.
   double largest() const;
 
-  void archive(Archive& a) { a(planes_, low_, high_, farthest_); }
+  void archive(Archive& a) {
+    a.same(planes_, "number of planes");
+    a(low_, high_, farthest_);
+  }
 
  private:
   static constexpr std::size_t directions = 8;  ///< of half a turn, each to both sides
