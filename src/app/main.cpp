@@ -76,9 +76,12 @@ int main(int argc, char** argv) {
 
   app::VerifyArguments verification;
   CLI::App* verify = program.add_subcommand("verify", "run the cases that carry an [accept] table, side by side");
-  verify->add_option("NAME", verification.names, "parts of case names (default: all)");
+  verify->add_option("NAME", verification.names,
+                     "parts of case names (default: all); `extremes` and parts of its rows' names: hard cases with "
+                     "the bounds that physics sets them");
   verify->add_option("--cases", verification.folder, "folder of the cases (default: ./cases)");
   verify->add_flag("--json", verification.json, "print JSON");
+  verify->add_flag("--markdown", verification.markdown, "print the table of the extremes in Markdown");
   verify->callback([&] { verb = [&] { return app::verify(verification); }; });
 
   CLI::App* conductors = program.add_subcommand("conductors", "the catalogue of conductors");

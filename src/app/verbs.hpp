@@ -22,8 +22,9 @@ struct RunArguments {
 
 struct VerifyArguments {
   std::filesystem::path folder;    ///< of the cases; empty: ./cases, or those of the source tree
-  std::vector<std::string> names;  ///< parts of names; empty: all
+  std::vector<std::string> names;  ///< parts of names; empty: all. A first `extremes` asks for the table of hard cases
   bool json = false;
+  bool markdown = false;  ///< of the extremes
 };
 
 /// Reads the case and prints its notes to standard error.
@@ -35,6 +36,8 @@ ExitCode describe(const RunArguments& arguments);
 ExitCode conductors(const std::string& name);
 ExitCode schema(bool of_results);
 ExitCode verify(const VerifyArguments& arguments);
+/// Hard cases, each with the bound of physics that must hold; `names` after the first select rows.
+ExitCode verify_extremes(const VerifyArguments& arguments);
 ExitCode report(const std::filesystem::path& folder);
 
 }  // namespace strandyn::app

@@ -82,6 +82,8 @@ void print_case(const VerifiedCase& c) {
 }  // namespace
 
 ExitCode verify(const VerifyArguments& arguments) {
+  if (!arguments.names.empty() && arguments.names.front() == "extremes") return verify_extremes(arguments);
+  if (arguments.markdown) throw InputError("--markdown is for `verify extremes`");
   std::filesystem::path folder = arguments.folder;
   // A program that was built where its cases lie finds them from anywhere.
   if (folder.empty()) folder = std::filesystem::is_directory("cases") ? "cases" : STRANDYN_SOURCE_DIR "/cases";
