@@ -1,9 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "resolve.hpp"
+#include "strandyn/results/table.hpp"
 
 namespace strandyn::casefile {
 namespace {
@@ -25,6 +28,34 @@ void check_history(const History& history, const std::string& path, const Scene&
     refuse(scene.source, fmt::format("{}.history[{}]", path, i), "its time does not come after the one before",
            "give rows of rising time");
   }
+}
+
+struct ValueColumn {
+  const char* name = "";
+  Unit unit = {};
+};
+
+/// The rows of a file are from here on the case's own.
+void read_history(std::optional<std::string>& file, const ValueColumn& value, History& history,
+                  const std::string& load_path, const Scene& scene) {
+  if (!file) return;
+  const std::string path = load_path + ".history_file";
+  const std::string remedy = fmt::format("give the columns time_s and {}, one row a time", value.name);
+  const results::Table table = results::read_csv(std::filesystem::path(scene.source.file).parent_path() / *file);
+  if (table.names().size() != 2 || !table.has("time_s") || !table.has(value.name)) {
+    refuse(scene.source, path, fmt::format("the file has the columns {}", fmt::join(table.names(), ", ")), remedy);
+  }
+  if (table.rows() == 0) refuse(scene.source, path, "the file has no rows", remedy);
+  const std::vector<double>& time = table.column("time_s");
+  const std::vector<double>& values = table.column(value.name);
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (i > 0 && !(time[i] > time[i - 1])) {
+      refuse(scene.source, path, fmt::format("the time of its row {} does not come after the one before", i + 1),
+             "give rows of rising time");
+    }
+    history.push_back({time[i], value.unit.to_si(values[i])});
+  }
+  file.reset();
 }
 
 /// Makes a unit vector of the direction, which must stay in the plane of a planar span.
@@ -49,6 +80,8 @@ void resolve_direction(std::optional<Vector3>& direction, bool is_rotation, cons
 void resolve_load(Load& load, const std::string& path, const Scene& scene) {
   check_place(load.at, path, scene);
   resolve_direction(load.direction, load.is_moment(), path, scene);
+  const ValueColumn force{.name = "force_N", .unit = units::N}, moment{.name = "moment_N_m", .unit = units::N_m};
+  read_history(load.history_file, load.history_is_moment ? moment : force, load.history, path, scene);
   check_history(load.history, path, scene);
 }
 
@@ -70,6 +103,9 @@ void resolve_motion(Motion& motion, const std::string& path, const Scene& scene)
   if (std::ranges::count(*motion.direction, 0.0) != 2) {
     refuse(scene.source, path + ".direction", "does not lie along x, y or z", "give one [[motion]] per axis");
   }
+  const ValueColumn shift{.name = "displacement_mm", .unit = units::mm},
+      turn{.name = "rotation_deg", .unit = units::deg};
+  read_history(motion.history_file, motion.history_is_rotation ? turn : shift, motion.history, path, scene);
   check_history(motion.history, path, scene);
   if (motion.type == MotionType::table && !motion.interpolation) {
     motion.interpolation = is_sampled(motion.history) ? Interpolation::smooth : Interpolation::linear;

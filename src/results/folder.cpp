@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <charconv>
 #include <fstream>
-#include <iterator>
 #include <system_error>
+#include <vector>
 
 #include "strandyn/core/error.hpp"
 
@@ -115,7 +115,15 @@ std::string read_file(const std::filesystem::path& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw fail(errno != 0 ? errno : EIO);
-  std::string content{std::istreambuf_iterator<char>(stream), {}};
+  // A device may have no end, and no file of a case or a run comes near this.
+  constexpr std::size_t most = std::size_t{1} << 30U;
+  std::string content;
+  std::vector<char> piece(std::size_t{1} << 16U);
+  do {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    content.append(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    if (content.size() > most) throw fail(EFBIG);
+  } while (stream);
   if (stream.bad()) throw fail(EIO);
   return content;
 }

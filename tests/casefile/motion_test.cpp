@@ -88,7 +88,8 @@ TEST_CASE("a motion lacks neither its kind nor its place nor its size") {
                  "motion[0]: one of `amplitude_mm`, `amplitude_deg` is missing"));
   CHECK(contains(refusal(beam + "[[motion]]\ntype = \"harmonic-motion\"\nat = \"left\"\namplitude_mm = 1\n"),
                  "motion[0]: one of `frequency_Hz`, `frequency` is missing"));
-  CHECK(contains(refusal(beam + "[[motion]]\ntype = \"table\"\nat = \"left\"\n"), "motion[0].history: is missing"));
+  CHECK(contains(refusal(beam + "[[motion]]\ntype = \"table\"\nat = \"left\"\n"),
+                 "motion[0]: one of `history`, `history_file` is missing"));
 }
 
 TEST_CASE("a motion says its place, its size and its frequency once") {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "strandyn/casefile/declare.hpp"
@@ -55,6 +56,7 @@ struct Load {
   std::optional<double> amplitude;             ///< [N] or [N/m], `harmonic-force`
   std::optional<double> moment;                ///< [N m] or [N], in the place of either
   std::vector<std::array<double, 2>> history;  ///< [s], [N] ([N m] if history_is_moment), `table`
+  std::optional<std::string> history_file;     ///< where it comes from; after reading it is in `history`
   bool history_is_moment = false;
   std::optional<Vector3> direction;   ///< [-] unit vector; always set after reading
   std::optional<double> frequency;    ///< [Hz] `harmonic-force`: this, or
@@ -95,9 +97,12 @@ void keys(V& v, Load& l) {
              {.help = "the moment or its amplitude, in the place of a force", .unit = units::N_m});
   });
   v.when("type", l.type, {LoadType::table}, [&] {
+    v.one_of({"history", "history_file"}, {.required = true});
     v.rows("history", l.history, {{{.help = "time", .unit = units::s}, {.help = "force or moment", .unit = units::N}}},
-           {.help = "the load over time, rows of seconds and newtons (newton metres with moment = true)",
-            .required = true});
+           {.help = "the load over time, rows of seconds and newtons (newton metres with moment = true)"});
+    v.text("history_file", l.history_file,
+           {.help = "the name of a csv file, beside the case, with the columns time_s and force_N (moment_N_m with "
+                    "moment = true)"});
     v.flag("moment", l.history_is_moment, {.help = "whether the history is that of a moment"});
   });
   v.vector("direction", l.direction,
@@ -116,6 +121,7 @@ struct Motion {
   std::optional<double> frequency;             ///< [Hz] `harmonic-motion`: this, or
   std::optional<int> frequency_mode;           ///< that of this mode, counted from 1
   std::vector<std::array<double, 2>> history;  ///< [s], [m] ([rad] if history_is_rotation), `table`
+  std::optional<std::string> history_file;     ///< where it comes from; after reading it is in `history`
   bool history_is_rotation = false;
   std::optional<Interpolation> interpolation;  ///< of the history; always set after reading where there is one
   double ease = 0;                             ///< [s] in which a motion swells to its full size
@@ -158,13 +164,16 @@ void keys(V& v, Motion& m) {
     v.mode_word("frequency", m.frequency_mode, {.help = "a natural frequency, written \"mode 12\""});
   });
   v.when("type", m.type, {MotionType::table}, [&] {
+    v.one_of({"history", "history_file"}, {.required = true});
     v.flag("rotation", m.history_is_rotation, {.help = "whether the history is that of a rotation"});
     const Number value = m.history_is_rotation
                              ? Number{.help = "rotation", .unit = units::deg}
                              : Number{.help = "displacement (degrees with rotation = true)", .unit = units::mm};
     v.rows("history", m.history, {{{.help = "time", .unit = units::s}, value}},
-           {.help = "the motion over time, rows of seconds and millimetres (degrees with rotation = true)",
-            .required = true});
+           {.help = "the motion over time, rows of seconds and millimetres (degrees with rotation = true)"});
+    v.text("history_file", m.history_file,
+           {.help = "the name of a csv file, beside the case, with the columns time_s and displacement_mm "
+                    "(rotation_deg with rotation = true)"});
     v.choice(
         "interpolation", m.interpolation,
         {.help = "straight lines, whose corners are jumps of velocity, or the cubic spline through the rows (smooth "
