@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "stretch.hpp"
+
 namespace strandyn::beam {
 namespace {
 
@@ -39,7 +41,8 @@ LocalForce local_force(const PlanarElement& element, const PlanarKinematics& k, 
 
 PlanarKinematics kinematics(const PlanarElement& element, const PlanarVector& q) {
   PlanarKinematics k;
-  const Eigen::Vector2d d = element.span + q.segment<2>(3) - q.segment<2>(0);
+  const Eigen::Vector2d change = q.segment<2>(3) - q.segment<2>(0);
+  const Eigen::Vector2d d = element.span + change;
   k.chord = d.norm();
   k.direction = d / k.chord;
   const double alpha = std::atan2(d.y(), d.x());
@@ -50,7 +53,7 @@ PlanarKinematics kinematics(const PlanarElement& element, const PlanarVector& q)
   }
   const auto [t1, t2] = k.rotation;
   const double l0 = element.length;
-  const double stretch = (d.squaredNorm() - l0 * l0) / (k.chord + l0);
+  const double stretch = stretch_of(element.span, change, l0, k.chord);
   k.eps = stretch / l0 + (2 * t1 * t1 - t1 * t2 + 2 * t2 * t2) / 30;
   for (std::size_t g = 0; g < gauss_points; ++g) {
     const auto c = curvature_slope(g);

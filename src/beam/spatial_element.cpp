@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "strandyn/math/rotation.hpp"
+#include "stretch.hpp"
 
 namespace strandyn::beam {
 namespace {
@@ -218,7 +219,8 @@ MotionMatrix motion_stiffness(const SpatialKinematics& k, const LocalForce& f, c
 
 SpatialKinematics kinematics(const SpatialElement& element, const SpatialVector& q) {
   SpatialKinematics k;
-  const Vector3d d = element.span + q.segment<3>(6) - q.segment<3>(0);
+  const Vector3d change = q.segment<3>(6) - q.segment<3>(0);
+  const Vector3d d = element.span + change;
   k.chord = d.norm();
   std::array<Matrix3d, 2> axes;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -243,7 +245,7 @@ SpatialKinematics kinematics(const SpatialElement& element, const SpatialVector&
   const Vector3d& a = k.node[0].rotation;
   const Vector3d& b = k.node[1].rotation;
   const double l0 = element.length;
-  const double stretch = (d.squaredNorm() - l0 * l0) / (k.chord + l0);
+  const double stretch = stretch_of(element.span, change, l0, k.chord);
   k.eps = stretch / l0;
   for (int axis : {1, 2}) k.eps += (2 * a(axis) * a(axis) - a(axis) * b(axis) + 2 * b(axis) * b(axis)) / 30;
   k.chi1 = (b.x() - a.x()) / l0;

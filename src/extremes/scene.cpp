@@ -8,9 +8,10 @@
 
 namespace strandyn::extremes {
 
-Run::Run(const std::string& text, const std::vector<std::string>& overrides) {
-  const casefile::Scene scene = casefile::read_scene_text(text, "extremes.toml", overrides);
-  result_ = study::run_case(scene);
+Run::Run(const std::string& text, const std::vector<std::string>& overrides)
+    : Run(casefile::read_scene_text(text, "extremes.toml", overrides)) {}
+
+Run::Run(const casefile::Scene& scene) : result_(study::run_case(scene)) {
   if (result_.exit_code != ExitCode::done) throw ComputationError(result_.message);
 }
 

@@ -14,6 +14,7 @@ class Run {
   /// A text of TOML with overrides. Throws what reading and running throw, and ComputationError where the run did not
   /// come to its end: then no bound of physics is worth a word.
   explicit Run(const std::string& text, const std::vector<std::string>& overrides = {});
+  explicit Run(const casefile::Scene& scene);
 
   double at(const std::string& path) const;  ///< a number of the summary, by a path as in [accept]
   const results::Table& table(const std::string& file) const;

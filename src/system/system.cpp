@@ -88,7 +88,9 @@ void System::begin(const ConstVectorRef& u) {
   history_ = model_.law->start(strains_);
   material_.relax();
   clock_.reset();
+  stored_at_begin_.assign(strains_.points(), 0);
   commit(u.data());
+  stored_at_begin_ = energy_.stored;
 }
 
 void System::find_stresses(const double* u, std::optional<double> time, section::TangentField* tangents) const {
@@ -333,22 +335,29 @@ Accepted System::commit(const double* u, double time) {
     clock_ = time;
   }
   committed_ = strains_;
-  Accepted sum;
+  Accepted sum{.elastic = elastic_energy(energy_.stored, u)};
   for (std::size_t point = 0; point < committed_.points(); ++point) {
     const double length = point_length(point);
-    sum.elastic += length * energy_.stored[point];
     sum.friction += length * energy_.dissipated[point];
     sum.quadrature_error += length * energy_.quadrature_error[point];
     if (material_.is_empty()) continue;
-    sum.elastic += length * material_.stored()[point];
     sum.material += length * material_.dissipated()[point];
     sum.quadrature_error += length * material_.quadrature_error()[point];
   }
+  return sum;
+}
+
+double System::elastic_energy(const AlignedVector& stored, const double* u) const {
+  double energy = 0;
+  for (std::size_t point = 0; point < stored.size(); ++point) {
+    energy += point_length(point) * (stored[point] - stored_at_begin_[point]);
+    if (!material_.is_empty()) energy += point_length(point) * material_.stored()[point];
+  }
   for (const model::Body& body : model_.bodies) {
     const double stretch = body.direction.dot(model_.displacement(u, body.node));
-    sum.elastic += body.stiffness * stretch * stretch / 2;
+    energy += body.stiffness * stretch * stretch / 2;
   }
-  return sum;
+  return energy;
 }
 
 void System::archive(Archive& a) {

@@ -33,10 +33,14 @@ class CheckpointCheck final : public Observer {
   void ended(double time);
 
  private:
+  struct Stored {
+    double elastic = 0;      // [J] above that of the begin
+    double of_sections = 0;  // [J] in all: the scale of its rounding
+  };
   void check_numbers() const;
   void check_state(double kinetic_written, double elastic_written) const;
   double kinetic() const;
-  double elastic_by_law() const;
+  Stored stored_by_law() const;
 
   const Ledger& ledger_;
   double end_time_;

@@ -37,7 +37,7 @@ class Chain;
 
 /// Energies of the chain after an accepted step. [J]
 struct Accepted {
-  double elastic = 0;           ///< stored in all sections, material branches and springs
+  double elastic = 0;           ///< stored in all sections, material branches and springs, above that of `begin`
   double friction = 0;          ///< dissipated by friction in the step, >= 0
   double material = 0;          ///< dissipated by the metal in the step, >= 0
   double quadrature_error = 0;  ///< excess of both over the trapezoidal work balance of the step; of friction >= 0
@@ -173,8 +173,11 @@ class System {
   void hold(Matrix& K) const;
 
   double kinetic_energy(const double* u, const double* v) const;  ///< [J]
-  ViscousLoss viscous_power(const double* v) const;               ///< [W] v . C v
-  double air_power(const double* v) const;                        ///< [W] v . F_air, >= 0
+  /// [J] above that of `begin`: of sections that store so much [J/m] each, of the metal and of the springs. Summed up
+  /// as differences: the tension stores a thousand million times what a small vibration moves.
+  double elastic_energy(const AlignedVector& stored, const double* u) const;
+  ViscousLoss viscous_power(const double* v) const;  ///< [W] v . C v
+  double air_power(const double* v) const;           ///< [W] v . F_air, >= 0
   /// M a = f for the unknowns with mass, all others 0: consistent initial accelerations.
   void accelerations(const double* u, const double* v, const double* force, double* a) const;
   /// The mass matrix at u, held unknowns included.
@@ -233,6 +236,7 @@ class System {
   std::optional<double> clock_;  // [s] time of the last commit
   section::History history_;
   section::StepEnergy energy_;
+  AlignedVector stored_at_begin_;  // [J/m] in each section point
   section::Field committed_;
 
   // Working storage of an evaluation.
