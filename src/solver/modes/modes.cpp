@@ -1,207 +1,77 @@
 #include "strandyn/solver/modes/modes.hpp"
 
-#include <Spectra/SymGEigsShiftSolver.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <utility>
 
 #include "mode_kind.hpp"
+#include "nearest.hpp"
 #include "rigid_modes.hpp"
+#include "slices.hpp"
 #include "strandyn/core/error.hpp"
 
 namespace strandyn::solver {
 
-using system::Matrix;
 using system::System;
 using system::Vector;
 
 namespace {
-
-/// y = (K - sigma M)^-1 x, as Spectra wants it, without what lies along modes that are known already.
-class ShiftedInverse {
- public:
-  using Scalar = double;
-
-  ShiftedInverse(const Matrix& K, const Matrix& M, const Stop& stop)
-      : K_(K), M_(M), stop_(stop), size_(static_cast<Eigen::Index>(K.size())) {}
-  Eigen::Index rows() const { return size_; }
-  Eigen::Index cols() const { return size_; }
-  void set_shift(double sigma) {
-    Matrix shifted = K_;
-    shifted.add(-sigma, M_);
-    if (!factors_.factorize(shifted)) {
-      throw ComputationError("the stiffness matrix is singular: the span is free to move; hold it by its supports");
-    }
-  }
-  void perform_op(const double* x, double* y) const {
-    end_if_asked(stop_);
-    std::copy(x, x + size_, y);
-    factors_.solve(y);
-    for (std::size_t i = 0; i < known_.size(); ++i) {
-      Eigen::Map<Vector> v(y, size_);
-      v -= known_[i] * momenta_[i].dot(v);
-    }
-  }
-  void leave_out(const std::vector<RawMode>& modes) {
-    for (const RawMode& mode : modes) {
-      known_.push_back(mode.shape);
-      momenta_.emplace_back(size_);
-      M_.multiply(mode.shape.data(), momenta_.back().data());
-    }
-  }
-
- private:
-  const Matrix& K_;
-  const Matrix& M_;
-  const Stop& stop_;
-  Eigen::Index size_;
-  math::ChainFactors factors_;
-  std::vector<Vector> known_, momenta_;
-};
-
-/// y = M x.
-class MassProduct {
- public:
-  using Scalar = double;
-
-  explicit MassProduct(const Matrix& M) : M_(M) {}
-  Eigen::Index rows() const { return static_cast<Eigen::Index>(M_.size()); }
-  Eigen::Index cols() const { return rows(); }
-  void perform_op(const double* x, double* y) const { M_.multiply(x, y); }
-
- private:
-  const Matrix& M_;
-};
-
-/// Held unknowns take no part in the motion: no mass, unit stiffness.
-void take_out_held(const System& system, Matrix& K, Matrix& M) {
-  for (std::size_t i = 0; i < system.unknowns(); ++i) {
-    if (!system.is_held(i)) continue;
-    K.pin(i, 1);
-    M.pin(i, 0);
-  }
-}
-
-std::size_t unknowns_with_mass(const System& system) {
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < system.unknowns(); ++i) n += system.has_mass(i);
-  return n;
-}
-
-/// What one run of the solver looks for.
-struct Search {
-  Eigen::Index wanted;
-  Eigen::Index independent;  // unknowns with mass that are left
-  double shift;              // [1/s^2]
-};
-
-std::vector<RawMode> nearest(ShiftedInverse& inverse, MassProduct& mass, const Search& search) {
-  const Eigen::Index basis = std::min(search.independent, 2 * search.wanted + 20);
-  Spectra::SymGEigsShiftSolver<ShiftedInverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
-      inverse, mass, search.wanted, basis, search.shift);
-  // Unknowns without mass must begin in balance with the others: one pass through M and K^-1 brings them there.
-  Vector start = Vector::LinSpaced(inverse.rows(), 1.0, 2.0).array().sin();
-  Vector product(start.size());
-  mass.perform_op(start.data(), product.data());
-  inverse.perform_op(product.data(), start.data());
-  solver.init(start.data());
-  solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-12, Spectra::SortRule::SmallestAlge);
-  if (solver.info() != Spectra::CompInfo::Successful) {
-    throw ComputationError(
-        fmt::format("the eigenvalue solver did not find {} modes; use more [span] elements", search.wanted));
-  }
-  const Vector values = solver.eigenvalues();
-  const Eigen::MatrixXd shapes = solver.eigenvectors();  // made anew at every call
-  std::vector<RawMode> modes;
-  for (Eigen::Index i = 0; i < search.wanted; ++i) {
-    modes.push_back({.eigenvalue = values(i), .shape = shapes.col(i)});
-  }
-  return modes;
-}
-
-/// [1/s] away from omega; an unstable mode counts as one of no frequency.
-double distance(const RawMode& mode, double omega) {
-  return std::abs(std::sqrt(std::max(0.0, mode.eigenvalue)) - omega);
-}
-
-void keep_nearest(std::vector<RawMode>& modes, std::size_t count, double omega) {
-  std::stable_sort(modes.begin(), modes.end(),
-                   [&](const RawMode& a, const RawMode& b) { return distance(a, omega) < distance(b, omega); });
-  modes.resize(std::min(count, modes.size()));
-  std::stable_sort(modes.begin(), modes.end(),
-                   [](const RawMode& a, const RawMode& b) { return a.eigenvalue < b.eigenvalue; });
-}
-
-/// Modes nearest to omega; the solver looks for those nearest in the square, which lean towards the lower ones.
-/// Rigid ones are known, and left out where they are.
-std::vector<RawMode> nearest_to(const System& system, const Matrix& K, const Matrix& M, const ModeOptions& options,
-                                const std::vector<RawMode>& rigid) {
-  const double omega = 2 * std::numbers::pi * options.near;
-  if (omega == 0 && options.count <= rigid.size()) return {rigid.begin(), rigid.begin() + options.count};
-  const std::size_t count = omega == 0 ? options.count - rigid.size() : options.count;
-  // A shift that meets an eigenvalue to many digits makes its mode drown all others.
-  constexpr double aside = 1e-4;
-  const bool free = omega == 0 && !rigid.empty();
-  const double shift = free ? shift_of_free_chain(K, M) : std::pow(omega * (1 + aside), 2);
-  const std::size_t with_mass = unknowns_with_mass(system) - (free ? rigid.size() : 0);
-  const bool in_pairs = model::is_spatial(system.model().freedom);
-  MassProduct mass(M);
-  for (std::size_t asked = omega > 0 ? count + 2 : count;; asked += asked / 2 + 2) {
-    asked = std::min(asked, with_mass - 1);
-    ShiftedInverse inverse(K, M, options.stop);
-    if (free) inverse.leave_out(rigid);
-    const Search search{.wanted = static_cast<Eigen::Index>(asked),
-                        .independent = static_cast<Eigen::Index>(with_mass),
-                        .shift = shift};
-    std::vector<RawMode> raw = nearest(inverse, mass, search);
-    double reach = 0;  // in the square: what is nearer has been found
-    for (const RawMode& mode : raw) reach = std::max(reach, std::abs(mode.eigenvalue - shift));
-    if (in_pairs && 2 * asked < with_mass) {
-      // One Krylov space need not hold both of two modes of equal frequency: look once more beside what was found.
-      inverse.leave_out(raw);
-      Search again = search;
-      again.independent -= search.wanted;
-      for (RawMode& mode : nearest(inverse, mass, again)) raw.push_back(std::move(mode));
-      keep_nearest(raw, asked + 1, omega);  // one more, lest a pair is cut in two
-      separate_planes(system.model(), M, raw);
-    }
-    keep_nearest(raw, count, omega);
-    if (free) raw.insert(raw.begin(), rigid.begin(), rigid.end());
-    double farthest = 0;
-    for (const RawMode& mode : raw) farthest = std::max(farthest, distance(mode, omega));
-    if (omega == 0 || asked + 1 >= with_mass || std::pow(omega + farthest, 2) - shift <= reach) return raw;
-  }
-}
-
-/// How many modes lie below this one: the negative eigenvalues of K - sigma M.
-std::size_t modes_below(const Matrix& K, const Matrix& M, const RawMode& mode) {
-  constexpr double below = 1e-7;  // relative
-  Matrix shifted = K;
-  shifted.add(-mode.eigenvalue * (1 - below), M);
-  return math::negative_eigenvalues(shifted);
-}
-
-/// Stiffness and mass of the free unknowns at a state.
-struct Pencil {
-  Matrix K, M;
-
-  Pencil(const System& system, const Vector& u) : K(system.make_matrix()), M(system.make_matrix()) {
-    Vector force = system.make_vector();
-    system.internal_force(u.data(), force.data(), K);
-    system.subtract_external_tangent({.time = 0}, u.data(), K);
-    system.mass_matrix(u.data(), M);
-    K.make_symmetric();
-    take_out_held(system, K, M);
-  }
-};
 
 Mode as_rigid(Mode mode) {
   mode.kind = ModeKind::rigid;
   mode.frequency = 0;
   mode.number = 0;
   return mode;
+}
+
+/// What a mode is; an unstable state is refused.
+class Judge {
+ public:
+  Judge(const System& system, const Pencil& pencil, bool free)
+      : system_(system), pencil_(pencil), free_(free), noise_(free ? shift_of_free_chain(pencil.K, pencil.M) : 0) {}
+
+  /// `before`: how many modes stand before it.
+  Mode operator()(const RawMode& raw, std::size_t before) const {
+    if (raw.eigenvalue < noise_) {
+      throw ComputationError(
+          fmt::format("mode {} has a negative stiffness (omega^2 = {:.3g} 1/s^2): the state about "
+                      "which it vibrates is unstable; raise the tension",
+                      before + 1, raw.eigenvalue));
+    }
+    Mode mode = describe(system_.model(), pencil_.M, raw);
+    return free_ && raw.eigenvalue <= -noise_ ? as_rigid(std::move(mode)) : mode;
+  }
+
+ private:
+  const System& system_;
+  const Pencil& pencil_;
+  bool free_;
+  double noise_;  // [1/s^2] <= 0
+};
+
+/// Those of the lowest modes that are in the plane of the span, in slices, until there are `count`, or fewer where the
+/// mesh carries no more.
+std::vector<Mode> in_plane_by_slices(const System& system, const Vector& u, std::size_t count, const Stop& stop) {
+  const Pencil pencil(system, u);
+  const std::vector<RawMode> rigid = find_rigid(system, u, pencil.K, pencil.M);
+  const Judge judge(system, pencil, !rigid.empty());
+  std::vector<Mode> modes;
+  std::size_t judged = 0;
+  lowest_in_slices(system, pencil, rigid, stop, [&](const std::vector<RawMode>& found) {
+    for (; judged < found.size(); ++judged) {
+      Mode mode = judge(found[judged], judged);
+      if (mode.kind == ModeKind::in_plane) modes.push_back(std::move(mode));
+    }
+    return modes.size() >= count;
+  });
+  return modes;
+}
+
+std::vector<Mode> numbered(std::vector<Mode> modes, std::size_t count) {
+  modes.resize(count);
+  for (std::size_t i = 0; i < count; ++i) modes[i].number = i + 1;
+  return modes;
 }
 
 }  // namespace
@@ -217,21 +87,20 @@ std::vector<Mode> find_modes(const System& system, const Vector& u, const ModeOp
                     options.count, with_mass));
   }
   const std::vector<RawMode> rigid = find_rigid(system, u, pencil.K, pencil.M);
-  const std::vector<RawMode> raw = nearest_to(system, pencil.K, pencil.M, options, rigid);
-  const double noise = rigid.empty() ? 0 : shift_of_free_chain(pencil.K, pencil.M);  // <= 0
-  std::vector<Mode> modes;
-  for (const RawMode& mode : raw) {
-    if (mode.eigenvalue < noise) {
-      throw ComputationError(
-          fmt::format("mode {} has a negative stiffness (omega^2 = {:.3g} 1/s^2): the state about "
-                      "which it vibrates is unstable; raise the tension",
-                      modes.size() + 1, mode.eigenvalue));
-    }
-    modes.push_back(describe(system.model(), pencil.M, mode));
-    if (!rigid.empty() && mode.eigenvalue <= -noise) modes.back() = as_rigid(std::move(modes.back()));
+  const Judge judge(system, pencil, !rigid.empty());
+  const bool many = options.near == 0 && options.count > slice_size && 4 * options.count < with_mass;
+  std::vector<RawMode> raw;
+  if (many) {
+    raw = lowest_in_slices(system, pencil, rigid, options.stop,
+                           [&](const std::vector<RawMode>& found) { return found.size() >= options.count; });
+    raw.resize(options.count);
+  } else {
+    raw = nearest_to(system, pencil, options, rigid);
   }
+  std::vector<Mode> modes;
+  for (const RawMode& mode : raw) modes.push_back(judge(mode, modes.size()));
   // What is nearest to a frequency leaves no mode out in between.
-  std::size_t number = options.near > 0 ? modes_below(pencil.K, pencil.M, raw.front()) : 0;
+  std::size_t number = options.near > 0 ? modes_below(pencil, raw) : 0;
   number -= std::min(number, rigid.size());
   for (Mode& mode : modes) {
     if (mode.kind != ModeKind::rigid) mode.number = ++number;
@@ -253,15 +122,15 @@ std::vector<Mode> transverse_modes(const System& system, const Vector& u, std::s
   const std::size_t with_mass = unknowns_with_mass(system);
   if (with_mass < 2) throw ComputationError("the mesh has no free nodes that vibrate; give more [span] elements");
   const std::size_t planes = model::is_spatial(system.model().freedom) ? 2 : 1;
+  if (planes * count > slice_size) {
+    std::vector<Mode> modes = in_plane_by_slices(system, u, count, stop);
+    if (modes.size() >= count) return numbered(std::move(modes), count);
+  }
   for (std::size_t asked = planes * count + 4;; asked *= 2) {
     asked = std::min(asked, with_mass - 1);
     std::vector<Mode> modes = find_modes(system, u, {.count = asked, .stop = stop});
     std::erase_if(modes, [](const Mode& mode) { return mode.kind != ModeKind::in_plane; });
-    if (modes.size() >= count) {
-      modes.resize(count);
-      for (std::size_t i = 0; i < count; ++i) modes[i].number = i + 1;
-      return modes;
-    }
+    if (modes.size() >= count) return numbered(std::move(modes), count);
     if (asked + 1 >= with_mass) {
       throw ComputationError(
           fmt::format("the mesh carries only {} modes across the span, mode {} was asked for; "

@@ -153,3 +153,36 @@ TEST_CASE("modes: axial ones are told from those across and found near their fre
     check_close(reach(model, mode, Unknown::x), 1, {.relative = 1e-12});
   }
 }
+
+TEST_CASE(
+    "modes: slices of many modes are those of one space, pairs of both planes included, and carry their numbers") {
+  for (const Freedom freedom : {Freedom::planar, Freedom::spatial}) {
+    CAPTURE(static_cast<int>(freedom));
+    const model::Model model =
+        curlew_span(test::stick_law(freedom), {.length = 10, .elements = 200, .freedom = freedom});
+    // These go by slices; those about a frequency must be the ones of their numbers.
+    const std::vector<Mode> many = modes_of(model, {.count = 80});
+    REQUIRE(many.size() == 80);
+    for (const double near : {many[10].frequency, many[40].frequency, many[70].frequency}) {
+      for (const Mode& mode : modes_of(model, {.count = 14, .near = near})) {
+        REQUIRE(mode.number <= 80);
+        check_close(many[mode.number - 1].frequency, mode.frequency, {.relative = 1e-9});
+      }
+    }
+    for (std::size_t i = 0; i < many.size(); ++i) CHECK(many[i].number == i + 1);
+    // Orthogonal with respect to mass: none stands for another.
+    System system(model);
+    system.begin(zeros(model));
+    system::Matrix M = system.make_matrix();
+    system.mass_matrix(zeros(model).data(), M);
+    for (std::size_t i = 1; i < many.size(); ++i) {
+      Vector product = zeros(model);
+      M.multiply(many[i].shape.data(), product.data());
+      for (const std::size_t j : {i - 1, i > 1 ? i - 2 : 0}) {
+        if (j == i) continue;
+        const double overlap = many[j].shape.dot(product) / std::sqrt(many[i].modal_mass * many[j].modal_mass);
+        CHECK(std::abs(overlap) < 1e-6);
+      }
+    }
+  }
+}
