@@ -50,7 +50,7 @@ class Bench {
         short_stretch_(std::max<std::size_t>(4, static_cast<std::size_t>(bench.mode_number()))),
         long_stretch_((analysis::cycles_that_show_steadiness + short_stretch_ - 1) / short_stretch_ * short_stretch_),
         way_out_(std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(bench.round_trip())))),
-        trial_(bench.at_rest(), bench.shape(), bench.frequency()),
+        trial_(bench.at_rest(), bench.shape(), bench.frequency(), hooks.stop),
         control_({.modal_mass = bench.modal_mass(),
                   .coupling = bench.coupling(),
                   .moves = bench.moves(),
@@ -247,7 +247,13 @@ class Bench {
 
 BenchRun run_bench(BenchSpan& bench, double antinode_amplitude, const build::Integration& integration,
                    const BenchOptions& options, const BenchHooks& hooks) {
-  return Bench(bench, antinode_amplitude, integration, options, hooks).go();
+  try {
+    return Bench(bench, antinode_amplitude, integration, options, hooks).go();
+  } catch (const Interrupted&) {
+    BenchRun run;
+    run.stopped = true;
+    return run;
+  }
 }
 
 }  // namespace strandyn::laboratory

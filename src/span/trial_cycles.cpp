@@ -2,14 +2,15 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace strandyn::span {
 
 using std::numbers::pi;
 using system::Vector;
 
-TrialCycles::TrialCycles(const SpanAtRest& span, const Vector& shape, double frequency)
-    : span_(span), trial_(span.built.model), shape_(shape), omega_(2 * pi * frequency) {
+TrialCycles::TrialCycles(const SpanAtRest& span, const Vector& shape, double frequency, Stop stop)
+    : span_(span), trial_(span.built.model), shape_(shape), omega_(2 * pi * frequency), stop_(std::move(stop)) {
   const Vector unit = shape_;
   modal_mass_ = 2 * span.system.kinetic_energy(span.u.data(), unit.data());
 }
@@ -20,6 +21,7 @@ double TrialCycles::loss(double amplitude) {
   trial_.start_clock(0);
   double lost = 0;
   for (int i = 1; i <= 2 * steps; ++i) {
+    end_if_asked(stop_);
     const Vector u = span_.u + amplitude * std::sin(2 * pi * i / steps) * shape_;
     const system::Accepted accepted = trial_.commit(u.data(), 2 * pi / omega_ * i / steps);
     if (i > steps) lost += accepted.friction + accepted.material;

@@ -73,22 +73,22 @@ double steady_amplitude(const VibrationPlan& plan, const span::SpanAtRest& span,
 }
 
 /// The lowest physical damping that the run will see: that of its smallest amplitude.
-double expected_damping(const VibrationPlan& plan, bool decays, const span::SpanAtRest& span) {
+double expected_damping(const VibrationPlan& plan, bool decays, const span::SpanAtRest& span, const Stop& stop) {
   if (plan.shape.size() == 0) return 0;
-  span::TrialCycles trial(span, plan.shape, plan.frequency);
+  span::TrialCycles trial(span, plan.shape, plan.frequency, stop);
   if (!decays) return trial.damping_ratio(steady_amplitude(plan, span, trial));
   const double amplitude = start_amplitude(plan, span);
   const double late = trial.damping_ratio(trial.decayed_amplitude(amplitude, plan.cycles));
   return late > 0 ? late : trial.damping_ratio(amplitude);
 }
 
-void choose_step(const Scene& scene, const build::Integration& integration, bool decays, const span::SpanAtRest& span,
-                 VibrationPlan& plan) {
+void choose_step(const Scene& scene, const build::Integration& integration, const PlanAsk& ask,
+                 const span::SpanAtRest& span, VibrationPlan& plan) {
   if (integration.chooses_steps()) {
     // Half of one percent, or of the bound: the estimate is one of a trial cycle.
     const double bound = scene.integrator.max_numerical_share.value_or(casefile::default_numerical_share);
     plan.aimed_share = std::min(0.01, bound) / 2;
-    plan.expected_damping_ratio = expected_damping(plan, decays, span);
+    plan.expected_damping_ratio = expected_damping(plan, ask.mode.has_value(), span, ask.stop);
     const int steps = solver::steps_for(integration.method(),
                                         {.damping_ratio = *plan.expected_damping_ratio, .share = plan.aimed_share});
     plan.step = 1 / (plan.frequency * steps);
@@ -175,7 +175,7 @@ VibrationPlan plan_vibration(const Scene& scene, const build::Integration& integ
     if (swing > 0) span.system.set_swing(swing);
   }
   if (!modes.empty()) plan.shape = span::unit_antinode(span, ask.mode ? mode(*ask.mode) : modes.back());
-  choose_step(scene, integration, ask.mode.has_value(), span, plan);
+  choose_step(scene, integration, ask, span, plan);
   return plan;
 }
 

@@ -17,7 +17,7 @@ struct PlanAsk {
   std::optional<double> antinode_amplitude{};  ///< [m] with which that mode starts
   std::size_t cycles = 0;                      ///< the most that will be run
   bool until_steady = false;
-  Stop stop = {};  ///< asked while modes are computed
+  Stop stop = {};  ///< asked while modes and trial cycles are computed
 };
 
 struct VibrationPlan {

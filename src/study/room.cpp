@@ -16,6 +16,9 @@ constexpr double per_point = 120, per_point_of_element = 50;
 constexpr double per_compliant_point = 1000, per_compliant_point_of_element = 600;
 constexpr double per_study_point = 2e3;  // a row, its line, and its entry in the tables
 constexpr double usual_elements = 100;   // where the program chooses
+// Rows that stay in memory until they are written, as numbers and as text.
+constexpr double per_loop_step = 150, per_static_step = 1e3;
+constexpr double per_time_step = 500, per_probe_and_step = 250;
 
 /// [B] what the machine has, or what the shell allows.
 double memory_there_is() {
@@ -31,20 +34,44 @@ double memory_there_is() {
   return memory;
 }
 
+/// `count` of what the key counts, or of its seconds.
 void require(const casefile::Scene& scene, std::string_view key, double count, double bytes_each,
              std::string_view less) {
   const double memory = memory_there_is();
   if (count * bytes_each <= memory) return;
+  const double most = memory / bytes_each;
   casefile::refuse(scene.source, key,
                    fmt::format("would take about {:.3g} GB of memory, and there are {:.3g} GB",
                                count * bytes_each / 1e9, memory / 1e9),
-                   fmt::format("{} {:.0f}", less, memory / bytes_each));
+                   most < 1000 ? fmt::format("{} {:.3g}", less, most) : fmt::format("{} {:.0f}", less, most));
 }
 
 double count_of(std::initializer_list<std::size_t> lists) {
   double count = 0;
   for (const std::size_t size : lists) count += static_cast<double>(size);
   return count;
+}
+
+/// What a run keeps of its steps until its end.
+void require_rows(const casefile::Scene& scene) {
+  if (const auto* section = std::get_if<casefile::SectionAnalysis>(&scene.analysis)) {
+    const double tensions = std::max(count_of({casefile::section_tensions(scene).size()}), 1.0);
+    const double loops = tensions * std::max(count_of({section->frictions.size()}), 1.0) *
+                         count_of({section->curvature_amplitudes.size(), section->relative_amplitudes.size()}) *
+                         (section->compare_residual_forces ? 2 : 1);
+    // A cycle and a quarter before the one that is measured.
+    require(scene, "analysis.steps_per_cycle", section->steps_per_cycle, 2.25 * loops * per_loop_step, "give at most");
+  }
+  if (const auto* path = std::get_if<casefile::StaticAnalysis>(&scene.analysis)) {
+    require(scene, "analysis.steps", path->steps, per_static_step, "give at most");
+  }
+  if (const auto* transient = std::get_if<casefile::TransientAnalysis>(&scene.analysis)) {
+    if (!scene.integrator.step_size) return;
+    const double probes = std::max(count_of({transient->probes.size()}), 2.0);
+    require(scene, "analysis.duration_s", transient->duration,
+            (per_time_step + probes * per_probe_and_step) / *scene.integrator.step_size,
+            "give a larger step, or at most");
+  }
 }
 
 }  // namespace
@@ -63,6 +90,7 @@ void refuse_without_room(const casefile::Scene& scene) {
       require(scene, "section.points", points, of_point + elements * of_both, "give at most");
     }
   }
+  require_rows(scene);
   if (!scene.is<casefile::SelfDampingAnalysis>()) return;
   const auto& a = scene.as<casefile::SelfDampingAnalysis>();
   const double grid =

@@ -42,9 +42,9 @@ class Section final : public Analysis {
     return outlook;
   }
 
-  void run(const Hooks&, Outcome& outcome) override {
-    path_ ? run_path(scene_, *path_, outcome) : run_cycles(scene_, outcome);
-    list_wires(scene_, outcome);
+  void run(const Hooks& hooks, Outcome& outcome) override {
+    path_ ? run_path(scene_, *path_, hooks, outcome) : run_cycles(scene_, hooks, outcome);
+    if (outcome.exit_code == ExitCode::done) list_wires(scene_, hooks.stop, outcome);
   }
 
  private:

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,11 +109,17 @@ class March {
     memory_ = law_->start(strains_);
   }
 
-  /// Measures the loops; appends every state to `history`, loops numbered from `first`.
-  section::Effort run(std::size_t first, results::Table& history) {
+  /// Measures the loops; appends every state to `history`, loops numbered from `first`. False where it was stopped.
+  bool run(std::size_t first, const Hooks& hooks, results::Table& history) {
     record(first, history);
     const int start_of_second = steps_per_cycle_ + steps_per_cycle_ / 4;  // peak to peak: a closed loop
-    for (int step = 1; step <= start_of_second + steps_per_cycle_; ++step) {
+    const int last = start_of_second + steps_per_cycle_;
+    for (int step = 1; step <= last; ++step) {
+      if (hooks.stop && hooks.stop()) return false;
+      if (hooks.progress && step % 1000 == 0) {
+        hooks.progress(static_cast<double>(step) / last,
+                       fmt::format("loops from {}, step {} of {}", first + 1, step, last));
+      }
       for (std::size_t i = 0; i < loops_.size(); ++i) {
         strains_[Component::bending2][i] = loops_[i].amplitude * triangle(step, steps_per_cycle_);
       }
@@ -123,8 +131,9 @@ class March {
         if (step > start_of_second) loops_[i].area += energy_.dissipated[i] - energy_.quadrature_error[i];
       }
     }
-    return effort_;
+    return true;
   }
+  section::Effort effort() const { return effort_; }
 
  private:
   void record(std::size_t first, results::Table& history) {
@@ -335,21 +344,32 @@ double expected_of_cycles(const Scene& scene) {
   return loops * (2.0 * steps + 1);
 }
 
-void run_cycles(const Scene& scene, Outcome& outcome) {
+void run_cycles(const Scene& scene, const Hooks& hooks, Outcome& outcome) {
   std::vector<Variant> variants = variants_of(scene);
   results::Table history({"loop", "tension_N", "curvature_per_m", "moment_N_m"});
   CyclesSummary summary;
   section::Effort effort;
   for (Variant& variant : variants) {
     add_loops(scene, variant);
-    if (!variant.loops.empty()) effort += March(scene, variant).run(summary.loops.size(), history);
+    if (!variant.loops.empty()) {
+      March march(scene, variant);
+      const bool whole = march.run(summary.loops.size(), hooks, history);
+      effort += march.effort();
+      if (!whole) {
+        outcome.exit_code = ExitCode::interrupted;
+        outcome.message =
+            fmt::format("interrupted; {} loops are finished, and loop.csv has what there is", summary.loops.size());
+        break;
+      }
+    }
     for (const Loop& loop : variant.loops) summary.loops.push_back(row_of(variant, loop));
   }
   if (variants.front().strand && !variants.front().loops.empty()) {
     summary.chi_0 = variants.front().loops.front().chi_0;
     summary.M_0 = variants.front().loops.front().M_0;
   }
-  if (scene.as<casefile::SectionAnalysis>().compare_residual_forces) {
+  const bool finished = outcome.exit_code == ExitCode::done;
+  if (finished && scene.as<casefile::SectionAnalysis>().compare_residual_forces) {
     summary.without_residual_forces = residual_comparison(variants);
   }
   if (variants.front().strand) {

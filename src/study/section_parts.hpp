@@ -25,12 +25,12 @@ std::vector<results::MemberNote> notes_of_wires();
 /// Each `check` refuses what its `run` cannot do.
 void check_cycles(const casefile::Scene& scene);
 double expected_of_cycles(const casefile::Scene& scene);  ///< section evaluations
-void run_cycles(const casefile::Scene& scene, Outcome& outcome);
+void run_cycles(const casefile::Scene& scene, const Hooks& hooks, Outcome& outcome);
 
 results::Table check_path(const casefile::Scene& scene);
-void run_path(const casefile::Scene& scene, const results::Table& path, Outcome& outcome);
+void run_path(const casefile::Scene& scene, const results::Table& path, const Hooks& hooks, Outcome& outcome);
 
 void check_wires(const casefile::Scene& scene);
-void list_wires(const casefile::Scene& scene, Outcome& outcome);
+void list_wires(const casefile::Scene& scene, const Stop& stop, Outcome& outcome);
 
 }  // namespace strandyn::study

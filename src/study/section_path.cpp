@@ -136,7 +136,7 @@ results::Table check_path(const Scene& scene) {
   return path;
 }
 
-void run_path(const Scene& scene, const results::Table& path, Outcome& outcome) {
+void run_path(const Scene& scene, const results::Table& path, const Hooks& hooks, Outcome& outcome) {
   const Rows rows(scene, path);
   const section::Dimension dimension = dimension_of_path(scene, path);
   const auto law = build::build_law(scene, dimension);
@@ -184,15 +184,19 @@ void run_path(const Scene& scene, const results::Table& path, Outcome& outcome) 
     before = line;
     line.insert(line.end(), {energy.stored[0], dissipated, quadrature_error});
     history.append(line);
+    if (row + 1 == path.rows() || !hooks.stop || !hooks.stop()) continue;
+    outcome.exit_code = ExitCode::interrupted;
+    outcome.message = fmt::format("interrupted after {} of {} rows of the path; they are kept", row + 1, path.rows());
+    break;
   }
-  outcome.tell(PathSummary{.path = {.steps = path.rows(),
+  outcome.tell(PathSummary{.path = {.steps = history.rows(),
                                     .stored = energy.stored[0],
                                     .dissipated = dissipated,
                                     .quadrature_error = quadrature_error,
                                     .work = work,
                                     .unaccounted = work - (energy.stored[0] - first_stored) -
                                                    (dissipated - dissipated_at_start) + quadrature_error}});
-  outcome.cost.steps = path.rows();
+  outcome.cost.steps = history.rows();
   outcome.cost.section_evaluations = effort.evaluations;
   outcome.cost.section_sweeps = effort.sweeps;
   outcome.tables.push_back({.file = "path.csv", .table = std::move(history)});

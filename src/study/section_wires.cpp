@@ -79,7 +79,7 @@ void check_wires(const Scene& scene) {
 }
 
 /// Monotonic bending of a virgin section; at each asked curvature the wires of every layer along one lay.
-void list_wires(const Scene& scene, Outcome& outcome) {
+void list_wires(const Scene& scene, const Stop& stop, Outcome& outcome) {
   std::vector<double> curvatures = scene.as<casefile::SectionAnalysis>().wires_at;
   if (curvatures.empty()) return;
   std::sort(curvatures.begin(), curvatures.end());
@@ -109,6 +109,7 @@ void list_wires(const Scene& scene, Outcome& outcome) {
     constexpr int steps = 200;
     const double from = strains[Component::bending2][0];
     for (int step = 1; step <= steps; ++step) {
+      end_if_asked(stop);
       strains[Component::bending2][0] = from + (curvature - from) * step / steps;
       law.commit(memory, strains, energy);
     }

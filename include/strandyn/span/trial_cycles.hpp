@@ -5,14 +5,15 @@
 /// viscous loss of the velocity A omega phi cos(tau) and the energy E = (A omega)^2 phi . M phi/2 of the mode:
 ///     zeta(A) = (friction + losses to metal, viscous forces and air per cycle)/(4 pi E)
 
+#include "strandyn/core/stop.hpp"
 #include "strandyn/span/rest.hpp"
 
 namespace strandyn::span {
 
 class TrialCycles {
  public:
-  /// `shape` [m, rad]: the mode at an antinode amplitude of 1 m.
-  TrialCycles(const SpanAtRest& span, const system::Vector& shape, double frequency);
+  /// `shape` [m, rad]: the mode at an antinode amplitude of 1 m. What follows throws Interrupted where it is stopped.
+  TrialCycles(const SpanAtRest& span, const system::Vector& shape, double frequency, Stop stop = {});
 
   /// [J] per cycle at an antinode amplitude [m].
   double loss(double amplitude);
@@ -29,6 +30,7 @@ class TrialCycles {
   system::Vector shape_;
   double omega_;
   double modal_mass_;
+  Stop stop_;
 };
 
 }  // namespace strandyn::span
