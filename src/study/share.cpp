@@ -55,7 +55,7 @@ void check_numerical_share(const casefile::Scene& scene, const build::Integratio
       "the integrator's own part is {:.3g} of {}{}, above the case's bound integrator.max_numerical_share = {:.3g}; {}",
       share,
       reference == account.lost ? "the physical dissipation"
-                                : fmt::format("{:g} of the greatest energy", casefile::part_of_energy),
+                                : fmt::format("{:g} % of the greatest energy", 100 * casefile::part_of_energy),
       account.cycles == 0 ? "" : " per cycle over the last cycles", bound, remedy);
 }
 
