@@ -28,6 +28,12 @@ void Ledger::begin(const system::System& system, const StepRecord& initial) {
   now_.initial_kinetic = now_.kinetic = system.kinetic_energy(initial.u.data(), initial.v.data());
 }
 
+void Ledger::exchanged(const StepRecord& record) {
+  u_ = record.u;
+  external_ = record.external;
+  internal_ = record.internal;
+}
+
 void Ledger::step(const system::System& system, const StepRecord& record) {
   const system::ViscousLoss power = system.viscous_power(record.v.data());
   const double air_power = system.air_power(record.v.data());
@@ -44,9 +50,7 @@ void Ledger::step(const system::System& system, const StepRecord& record) {
       system::of_each_term([&](auto term) { return now_.viscous.*term + half * (power_.*term + power.*term); });
   now_.air += half * (air_power_ + air_power);
 
-  u_ = record.u;
-  external_ = record.external;
-  internal_ = record.internal;
+  exchanged(record);
   power_ = power;
   air_power_ = air_power;
 }

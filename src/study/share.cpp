@@ -7,11 +7,15 @@
 
 namespace strandyn::study {
 
+double energy_of(double kinetic, double elastic) {
+  return std::max({kinetic, std::abs(elastic), kinetic + elastic});
+}
+
 ShareAccount account_of(const build::BuiltSpan& span, const observe::CycleObserver& cycles, std::size_t last) {
   ShareAccount account{
       .energy = cycles.ledger().now().initial_kinetic, .stored = stored_by_tension(span), .cycles = cycles.count()};
   for (const observe::Cycle& cycle : cycles.cycles()) {
-    account.energy = std::max(account.energy, cycle.kinetic + cycle.elastic);
+    account.energy = std::max(account.energy, energy_of(cycle.kinetic, cycle.elastic));
   }
   const double count = static_cast<double>(last);
   for (const observe::Cycle& cycle : std::span(cycles.cycles()).last(last)) {

@@ -23,6 +23,10 @@ struct ShareAccount {
 void check_numerical_share(const casefile::Scene& scene, const build::Integration& integration,
                            const VibrationPlan& plan, const ShareAccount& account, Outcome& outcome);
 
+/// [J] how much energy is on its way. Elastic energy is above that of the start, which may be loaded: a span that is
+/// let go gives it back.
+double energy_of(double kinetic, double elastic);
+
 /// The means of the last cycles of a run.
 ShareAccount account_of(const build::BuiltSpan& span, const observe::CycleObserver& cycles, std::size_t last);
 

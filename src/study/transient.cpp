@@ -143,6 +143,7 @@ class EnergyHistory final : public observe::Observer {
     ledger_.step(system, record);
     append(record.time);
   }
+  void exchanged(const observe::StepRecord& record) override { ledger_.exchanged(record); }
   bool wants_forces() const override { return true; }
   EnergySummary at_end() const {
     const observe::Account& a = ledger_.now();
@@ -156,7 +157,7 @@ class EnergyHistory final : public observe::Observer {
   ShareAccount account() const {
     const observe::Account& a = ledger_.now();
     ShareAccount account{.numerical = a.numerical(), .quadrature_error = a.quadrature_error, .lost = a.dissipated()};
-    for (const EnergyRow& row : rows_) account.energy = std::max(account.energy, row.kinetic + row.elastic);
+    for (const EnergyRow& row : rows_) account.energy = std::max(account.energy, energy_of(row.kinetic, row.elastic));
     return account;
   }
   const std::vector<EnergyRow>& rows() const { return rows_; }

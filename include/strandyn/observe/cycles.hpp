@@ -93,6 +93,7 @@ class CycleObserver final : public Observer {
 
   void begin(const system::System& system, const StepRecord& initial) override;
   void step(const system::System& system, const StepRecord& record) override;
+  void exchanged(const StepRecord& record) override { ledger_.exchanged(record); }
   bool wants_forces() const override { return true; }
   void archive(Archive& a) override;
 

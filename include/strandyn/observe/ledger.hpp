@@ -47,6 +47,7 @@ class Ledger final : public Observer {
  public:
   void begin(const system::System& system, const StepRecord& initial) override;
   void step(const system::System& system, const StepRecord& record) override;
+  void exchanged(const StepRecord& record) override;
   bool wants_forces() const override { return true; }
   void archive(Archive& a) override { a(now_, initial_elastic_, power_, air_power_, u_, external_, internal_); }
 

@@ -29,6 +29,10 @@ class Observer {
   virtual ~Observer() = default;
   virtual void begin(const system::System& system, const StepRecord& initial) = 0;
   virtual void step(const system::System& system, const StepRecord& record) = 0;
+  /// Between two steps rotation vectors were exchanged for those of the same rotations by the other way round: the
+  /// state of the last step in the coordinates from which the next one counts. Whoever takes differences of them begins
+  /// anew here.
+  virtual void exchanged(const StepRecord&) {}
   /// Does it read the forces of the record?
   virtual bool wants_forces() const { return false; }
   /// What it has gathered, for checkpoints: written, or read after `begin`. Whoever gathers nothing does nothing.

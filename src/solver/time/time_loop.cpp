@@ -74,28 +74,43 @@ class TimeLoop {
 
   /// Commits the state at hand and tells the observers.
   void tell(void (observe::Observer::*what)(const system::System&, const observe::StepRecord&)) {
-    const StepTaken taken = stepper_->last();
-    const observe::StepRecord record{.time = taken.time,
-                                     .step = taken.length,
-                                     .order = taken.order,
-                                     .u = stepper_->u(),
-                                     .v = stepper_->v(),
-                                     .a = stepper_->a(),
-                                     .external = external_,
-                                     .internal = internal_,
-                                     .accepted = system_.commit(stepper_->u().data(), taken.time)};
+    const observe::StepRecord record = record_of(system_.commit(stepper_->u().data(), stepper_->last().time));
     const Stopwatch::Lap lap(system_.stopwatch(), Part::observers);
-    if (external_.size() > 0) {
-      system_.forces({.u = record.u.data(), .v = record.v.data(), .a = record.a.data()},
-                     {.time = record.time, .drives = options_.drives}, external_, internal_);
-    }
+    find_forces(record);
     for (observe::Observer* observer : observers_) (observer->*what)(system_, record);
+  }
+
+  void tell_exchange() {
+    const observe::StepRecord record = record_of({});
+    find_forces(record);
+    for (observe::Observer* observer : observers_) observer->exchanged(record);
+  }
+
+  observe::StepRecord record_of(const system::Accepted& accepted) const {
+    const StepTaken taken = stepper_->last();
+    return {.time = taken.time,
+            .step = taken.length,
+            .order = taken.order,
+            .u = stepper_->u(),
+            .v = stepper_->v(),
+            .a = stepper_->a(),
+            .external = external_,
+            .internal = internal_,
+            .accepted = accepted};
+  }
+
+  void find_forces(const observe::StepRecord& record) {
+    if (external_.size() == 0) return;
+    system_.forces({.u = record.u.data(), .v = record.v.data(), .a = record.a.data()},
+                   {.time = record.time, .drives = options_.drives}, external_, internal_);
   }
 
   void pass_corner() {
     const bool corner = summary_.end_time >= stops_[next_stop_] && next_stop_ + 1 < stops_.size();
     if (corner) ++next_stop_;
-    if (!stepper_->shorten_rotations() && !corner) return;
+    const bool shortened = stepper_->shorten_rotations();
+    if (shortened) tell_exchange();
+    if (!shortened && !corner) return;
     stepper_->restart();
     second_order_reached_ = false;
   }
