@@ -1,5 +1,7 @@
 #include "strandyn/model/mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +10,9 @@
 
 namespace strandyn::build {
 namespace {
+
+/// Beyond this a mesh is no choice of the program.
+constexpr std::size_t most_automatic = 200000;
 
 /// Half a wave [m] at the highest frequency that the scene speaks of; a guess of the twelfth mode where it names none.
 double shortest_loop(const casefile::Scene& scene, double tension, double length) {
@@ -72,10 +77,16 @@ std::vector<double> straight_positions(const casefile::Scene& scene, const Secti
         return 10.0;
       },
       scene.analysis);
+  const double loop = shortest_loop(scene, built.tension, built.length);
   options.elements =
-      span.elements
-          ? static_cast<std::size_t>(*span.elements)
-          : model::elements_for(options, shortest_loop(scene, built.tension, built.length) / elements_per_loop);
+      span.elements ? static_cast<std::size_t>(*span.elements) : model::elements_for(options, loop / elements_per_loop);
+  if (!span.elements && options.elements > most_automatic) {
+    casefile::refuse(scene.source, "span",
+                     fmt::format("loops of {:.3g} m on {:.6g} m take {} elements{}", loop, built.length,
+                                 options.elements, options.elements >= 1000000000 ? " or more" : ""),
+                     fmt::format("the program chooses at most {}: give span.elements, a lower frequency or a shorter span",
+                                 most_automatic));
+  }
   return model::span_mesh(options);
 }
 

@@ -70,7 +70,9 @@ void meet_stations(std::vector<double>& nodes, std::vector<double> stations) {
 }  // namespace
 
 std::size_t elements_for(const MeshOptions& options, double middle) {
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(Counter{options, 1, middle}.total())));
+  constexpr double countable = 1e9;
+  const double count = std::ceil(Counter{options, 1, middle}.total());
+  return static_cast<std::size_t>(std::clamp(count, 1.0, countable));
 }
 
 std::vector<double> span_mesh(const MeshOptions& options) {

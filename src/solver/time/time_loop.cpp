@@ -133,6 +133,7 @@ class TimeLoop {
     // The system last: IDA's first step, which makes it ready to read, belongs to the initial history.
     stepper_->archive(a);
     a(next_stop_, second_order_reached_, summary_.steps, summary_.order_one_steps, summary_.end_time, system_);
+    if (next_stop_ >= stops_.size()) throw FileError("it counts more corners than the run has");
     for (observe::Observer* observer : observers_) observer->archive(a);
   }
 

@@ -324,3 +324,39 @@ TEST_CASE("generalized alpha: a spectral radius outside of zero to one is refuse
                     ComputationError);
   }
 }
+
+TEST_CASE("generalized alpha: a state that has passed more corners than the run has is refused") {
+  const auto cornered = [](std::vector<double> times) {
+    model::Model model = curlew_span(linear_law(1e7, 100), {.length = 10, .elements = 8});
+    std::vector<double> values(times.size(), 1);
+    values.front() = 0;
+    model.loads = {{.node = 3, .force = {0, 30, 0}, .history = model::Tabulated{.time = times, .value = values}}};
+    return model;
+  };
+  struct Deaf final : observe::Observer {
+    void begin(const System&, const StepRecord&) override {}
+    void step(const System&, const StepRecord&) override { ++steps; }
+    void archive(Archive&) override {}
+    int steps = 0;
+  };
+  const auto go = [&](const model::Model& model, IntegratorOptions options) {
+    System system(model);
+    system.begin(zeros(model));
+    Deaf deaf;
+    observe::Observer* const observers[] = {&deaf};
+    options.step = 1e-3;
+    options.end_time = 0.05;
+    solver::integrate(system, {.u = zeros(model), .v = zeros(model)}, options, GeneralizedAlpha{}, observers);
+  };
+  std::string state;
+  IntegratorOptions leave;
+  leave.checkpoints.due = [] { return true; };
+  leave.checkpoints.keep = [&](const std::string& bytes) { state = bytes; };
+  const model::Model many = cornered({0, 0.01, 0.02, 0.03}), few = cornered({0});
+  go(many, leave);
+  REQUIRE_FALSE(state.empty());
+  IntegratorOptions take_up;
+  take_up.checkpoints.resume = state;
+  CHECK_NOTHROW(go(many, take_up));
+  CHECK_THROWS_WITH_AS(go(few, take_up), doctest::Contains("corners"), FileError);
+}
