@@ -81,11 +81,12 @@ std::vector<double> straight_positions(const casefile::Scene& scene, const Secti
   options.elements =
       span.elements ? static_cast<std::size_t>(*span.elements) : model::elements_for(options, loop / elements_per_loop);
   if (!span.elements && options.elements > most_automatic) {
-    casefile::refuse(scene.source, "span",
-                     fmt::format("loops of {:.3g} m on {:.6g} m take {} elements{}", loop, built.length,
-                                 options.elements, options.elements >= 1000000000 ? " or more" : ""),
-                     fmt::format("the program chooses at most {}: give span.elements, a lower frequency or a shorter span",
-                                 most_automatic));
+    casefile::refuse(
+        scene.source, "span",
+        fmt::format("loops of {:.3g} m on {:.6g} m take {} elements{}", loop, built.length, options.elements,
+                    options.elements >= 1000000000 ? " or more" : ""),
+        fmt::format("the program chooses at most {}: give span.elements, a lower frequency or a shorter span",
+                    most_automatic));
   }
   return model::span_mesh(options);
 }
