@@ -75,7 +75,7 @@ std::string cost_words(const Row& row) {
   return cost.ordinary > 0 ? fmt::format("{:.3g} ({})", cost.ratio(), cost.unit) : "-";
 }
 
-/// What was found that broke the bound, else what came nearest to it; all of it where `all`.
+/// All that was found, or why nothing was; what breaks its bound says so.
 std::string found_words(const Row& row, const char* between) {
   std::string words;
   for (const Measure& m : row.found.measures) {

@@ -18,19 +18,18 @@ struct Usual {
 struct Judged {
   std::string path;  // of the key
   const char* what;  // "Young's modulus"
-  const char* unit;  // "GPa"
+  const char* unit;  // " GPa", with what stands before it
   double value = 0;  // in that unit
   Usual usual;
 };
 
 void judge(const Judged& j, Scene& scene) {
-  const std::string range =
-      fmt::format("{} lies between {:g} and {:g} {}", j.what, j.usual.least, j.usual.most, j.unit);
+  const std::string range = fmt::format("{} lies between {:g} and {:g}{}", j.what, j.usual.least, j.usual.most, j.unit);
   if (j.value > j.usual.impossible) {
-    refuse(scene.source, j.path, fmt::format("no wire has {:g} {}", j.value, j.unit), range);
+    refuse(scene.source, j.path, fmt::format("no wire has {:g}{}", j.value, j.unit), range);
   }
   if (j.value >= j.usual.least && j.value <= j.usual.most) return;
-  scene.warnings.push_back(fmt::format("{} = {:g} {} is unusual: {}", j.path, j.value, j.unit, range));
+  scene.warnings.push_back(fmt::format("{} = {:g}{} is unusual: {}", j.path, j.value, j.unit, range));
 }
 
 void judge_layers(Scene& scene) {
@@ -40,34 +39,34 @@ void judge_layers(Scene& scene) {
     const std::string path = fmt::format("conductor.layer[{}]", j);
     judge({.path = path + ".young_GPa",
            .what = "Young's modulus of a wire",
-           .unit = "GPa",
+           .unit = " GPa",
            .value = layer.young / 1e9,
            .usual = {.least = 10, .most = 250, .impossible = 1500}},
           scene);
     judge({.path = path + ".diameter_mm",
            .what = "the diameter of a wire",
-           .unit = "mm",
+           .unit = " mm",
            .value = layer.diameter * 1e3,
            .usual = {.least = 0.1, .most = 15}},
           scene);
     if (layer.density > 0) {
       judge({.path = path + ".density_kg_per_m3",
              .what = "the density of a wire",
-             .unit = "kg/m^3",
+             .unit = " kg/m^3",
              .value = layer.density,
              .usual = {.least = 1000, .most = 10000, .impossible = 23000}},
             scene);
     }
     if (j == 0) continue;
     judge({.path = path + ".friction_inner",
-           .what = "the friction of wires",
-           .unit = "[-]",
+           .what = "the friction coefficient of wires",
+           .unit = "",
            .value = layer.friction_inner,
            .usual = {.least = 0, .most = 1.5}},
           scene);
     judge({.path = path + ".lay_angle_deg",
-           .what = "a lay angle",
-           .unit = "degrees, either way",
+           .what = "a lay angle, either way,",
+           .unit = " degrees",
            .value = std::abs(layer.lay_angle) / degree,
            .usual = {.least = 0, .most = 30}},
           scene);
@@ -78,7 +77,7 @@ void judge_layers(Scene& scene) {
 void judge_mass(Scene& scene) {
   const std::optional<double> wires = scene.conductor->strand.geometric_mass();
   const std::optional<double> given = scene.conductor->mass_per_length;
-  if (!wires || !given || needs_strand(scene.section.law) == false) return;
+  if (!wires || !given || !needs_strand(scene.section.law)) return;
   constexpr double impossible = 3, unusual = 1.1;
   const double ratio = *given / *wires;
   if (ratio > impossible || ratio < 1 / impossible) {

@@ -22,10 +22,13 @@ void check_place(std::optional<double> at, const std::string& path, const Scene&
          fmt::format("give a distance from the left support between 0 and {} metres", scene.span->total_length()));
 }
 
-void check_history(const History& history, const std::string& path, const Scene& scene) {
+void check_history(const History& history, bool from_file, const std::string& path, const Scene& scene) {
   for (std::size_t i = 1; i < history.size(); ++i) {
     if (history[i][0] > history[i - 1][0]) continue;
-    refuse(scene.source, fmt::format("{}.history[{}]", path, i), "its time does not come after the one before",
+    const std::string key = from_file ? path + ".history_file" : fmt::format("{}.history[{}]", path, i);
+    refuse(scene.source, key,
+           fmt::format("{} time does not come after the one before",
+                       from_file ? fmt::format("row {}: its", i + 1) : "its"),
            "give rows of rising time");
   }
 }
@@ -48,13 +51,8 @@ void read_history(std::optional<std::string>& file, const ValueColumn& value, Hi
   if (table.rows() == 0) refuse(scene.source, path, "the file has no rows", remedy);
   const std::vector<double>& time = table.column("time_s");
   const std::vector<double>& values = table.column(value.name);
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (i > 0 && !(time[i] > time[i - 1])) {
-      refuse(scene.source, path, fmt::format("the time of its row {} does not come after the one before", i + 1),
-             "give rows of rising time");
-    }
-    history.push_back({time[i], value.unit.to_si(values[i])});
-  }
+  for (std::size_t i = 0; i < time.size(); ++i) history.push_back({time[i], value.unit.to_si(values[i])});
+  check_history(history, true, load_path, scene);
   file.reset();
 }
 
@@ -82,7 +80,7 @@ void resolve_load(Load& load, const std::string& path, const Scene& scene) {
   resolve_direction(load.direction, load.is_moment(), path, scene);
   const ValueColumn force{.name = "force_N", .unit = units::N}, moment{.name = "moment_N_m", .unit = units::N_m};
   read_history(load.history_file, load.history_is_moment ? moment : force, load.history, path, scene);
-  check_history(load.history, path, scene);
+  check_history(load.history, false, path, scene);
 }
 
 /// Samples: as many and as evenly spaced as nobody writes corners.
@@ -106,7 +104,7 @@ void resolve_motion(Motion& motion, const std::string& path, const Scene& scene)
   const ValueColumn shift{.name = "displacement_mm", .unit = units::mm},
       turn{.name = "rotation_deg", .unit = units::deg};
   read_history(motion.history_file, motion.history_is_rotation ? turn : shift, motion.history, path, scene);
-  check_history(motion.history, path, scene);
+  check_history(motion.history, false, path, scene);
   if (motion.type == MotionType::table && !motion.interpolation) {
     motion.interpolation = is_sampled(motion.history) ? Interpolation::smooth : Interpolation::linear;
   }

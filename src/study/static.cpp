@@ -141,7 +141,8 @@ std::vector<LimitRow> limit_points(std::vector<StepRow> path, bool turns) {
 /// The beginning of the path, looked at by trials from the state of rest whatever steps the path itself takes.
 class Beginning {
  public:
-  explicit Beginning(const build::BuiltSpan& built) : span_(built), follower_(span_), rest_(span_.u) {
+  Beginning(const build::BuiltSpan& built, const Stop& stop)
+      : stop_(stop), span_(built), follower_(span_), rest_(span_.u) {
     span_.system.archive(at_rest_);
   }
 
@@ -149,22 +150,23 @@ class Beginning {
     double load = 0, displacement = 0;
     bool slips = false;
   };
-  /// One step from rest to a load factor; rest is restored.
+  /// One step from rest to a load factor; rest is restored. Throws ComputationError where there is no way, Interrupted.
   Trial to(double factor) {
+    end_if_asked(stop_);
     system::Vector u = rest_;
     Trial trial;
     solver::EquilibriumOptions options{.max_load_factor = factor};
+    options.stop = stop_;
     options.watch = [&](const solver::EquilibriumStep& step, const system::Vector& at, double) {
       trial = {.load = follower_.load(at, factor),
                .displacement = follower_.displacement(at),
                .slips = trial.slips || step.sections_slipping > 0};
     };
-    solver::find_equilibrium(span_.system, u, options);
-    Cost cost;
-    add_effort(span_.system, cost);
-    evaluations_ += cost.section_evaluations;
+    const bool stopped = solver::find_equilibrium(span_.system, u, options).stopped;
+    evaluations_ += span_.system.effort().evaluations;
     Archive back(at_rest_.bytes());
     span_.system.archive(back);
+    if (stopped) end_if_asked(stop_);
     return trial;
   }
   /// The load of the first slip, which happens before `slipping` (a load factor).
@@ -184,6 +186,7 @@ class Beginning {
   std::uint64_t evaluations() const { return evaluations_; }
 
  private:
+  const Stop& stop_;
   span::SpanAtRest span_;
   Follower follower_;
   system::Vector rest_;
@@ -205,16 +208,24 @@ solver::EquilibriumOptions options_of(const Scene& scene, const Follower& follow
   return options;
 }
 
-/// `slipping`: the load factor of the first step that slips, if any.
-void look_at_beginning(const build::BuiltSpan& built, std::optional<double> slipping, StaticSummary& summary,
-                       Cost& cost) {
+/// First slip and initial stiffness. Where no way leads straight from rest to the first slip, because the path has
+/// turned before it, the load of the first step that slips stands for it.
+void look_at_beginning(const build::BuiltSpan& built, const Stop& stop, StaticSummary& summary, Outcome& outcome) {
   if (summary.steps.empty()) return;
-  Beginning beginning(built);
-  constexpr double little = 1e-3;
-  const Beginning::Trial first = beginning.to(little * summary.steps.front().load_factor);
-  if (first.displacement != 0) summary.stiffness = first.load / first.displacement;
-  if (slipping) summary.first_slip = beginning.first_slip(*slipping);
-  cost.section_evaluations += beginning.evaluations();
+  const auto slipping =
+      std::ranges::find_if(summary.steps, [](const StepRow& row) { return row.sections_slipping > 0; });
+  Beginning beginning(built, stop);
+  try {
+    constexpr double little = 1e-3;
+    const Beginning::Trial first = beginning.to(little * summary.steps.front().load_factor);
+    if (first.displacement != 0) summary.stiffness = first.load / first.displacement;
+    if (slipping != summary.steps.end()) summary.first_slip = beginning.first_slip(slipping->load_factor);
+  } catch (const ComputationError&) {
+    if (slipping != summary.steps.end()) summary.first_slip = slipping->load;
+    outcome.warnings.emplace_back(
+        "the load of first slip is that of the first step that slips: give more analysis.steps");
+  }
+  outcome.cost.section_evaluations += beginning.evaluations();
 }
 
 class Static final : public Analysis {
@@ -278,7 +289,6 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
         options.point.direction.dot(span.built.model.displacement(span.u.data(), options.point.node));
   }
   options.stop = hooks.stop;
-  std::optional<double> slipping;  // load factor of the first step that slips
   double factor = 0;
   options.watch = [&](const solver::EquilibriumStep& step, const system::Vector& u, double done) {
     factor = step.load_factor;
@@ -288,7 +298,6 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
                              .load_factor = factor,
                              .sections_slipping = step.sections_slipping});
     const StepRow& row = summary.steps.back();
-    if (step.sections_slipping > 0 && !slipping) slipping = factor;
     slip_map.watch(row.load);
     if (hooks.progress) {
       hooks.progress(done, fmt::format("step {}, load factor {:.4g}", summary.steps.size(), factor));
@@ -305,7 +314,14 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
   summary.right_end = span::right_end_of(span);
   summary.reactions = span::reactions_of(span, factor);
   add_effort(span.system, outcome.cost);
-  look_at_beginning(built_, slipping, summary, outcome.cost);
+  bool stopped = found.stopped;
+  if (!stopped) {
+    try {
+      look_at_beginning(built_, hooks.stop, summary, outcome);
+    } catch (const Interrupted&) {
+      stopped = true;
+    }
+  }
   outcome.tell(summary);
   outcome.tables.push_back({.file = "shape.csv", .table = span::shape_of(span)});
   slip_map.add_to(outcome);
@@ -327,7 +343,7 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
                              .y = {"y_m"},
                              .caption = "Places of the nodes under the last load."});
   outcome.shown.push_back({.title = "The path", .table = "steps.csv", .columns = names});
-  if (!found.stopped) return;
+  if (!stopped) return;
   outcome.exit_code = ExitCode::interrupted;
   outcome.message = fmt::format("interrupted after {} steps; what was computed is kept", found.steps.size());
 }

@@ -284,9 +284,8 @@ class Transient final : public Analysis {
     warn_of_rest(scene_, span, outcome);
     if (!scene_.as<casefile::TransientAnalysis>().start && is_loaded_at_start(span.built.model)) {
       outcome.warnings.emplace_back(
-          "what acts at t = 0 belongs to the state of rest, in which the span stands before the start; analysis.start "
-          "= "
-          "\"unloaded\" makes it act suddenly, \"loaded\" says that this is meant");
+          "what acts at t = 0 belongs to the state of rest, in which the span stands before the start; "
+          "analysis.start = \"unloaded\" makes it act suddenly, \"loaded\" says that this is meant");
     }
     const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
     summary.plan = study::row_of(plan);

@@ -313,7 +313,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
                                  .each = [&](const Cycle& cycle) { log.add(cycle); }});
   observe::Fundamental fundamental({.period = 1 / plan.frequency});
   ProgressReport progress(plan, hooks, cycles);
-  observe::CheckpointCheck check(cycles.ledger(), static_cast<double>(plan.cycles) / plan.frequency);
+  observe::CheckpointCheck check(cycles.ledger(), duration);
   observe::Observer* const observers[] = {&cycles, &log, &fundamental, &progress, &check};
   bool interrupted = false;
   bool steady = false;

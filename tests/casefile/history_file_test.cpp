@@ -78,10 +78,10 @@ TEST_CASE("a history file that does not fit is refused with what would") {
   refused("time_s,displacement_mm\n0,0\n", load + key, "give the columns time_s and force_N");
   refused("time_s,force_N,x\n0,0,1\n", load + key, "the file has the columns time_s, force_N, x");
   refused("time_s,force_N\n", load + key, "the file has no rows");
-  refused("time_s,force_N\n0,0\n1,2\n1,3\n", load + key, "the time of its row 3 does not come after");
+  refused("time_s,force_N\n0,0\n1,2\n1,3\n", load + key, "row 3: its time does not come after");
   refused("time_s,force_N\n0,0\n1,nan\n", load + key, "line 3");
-  refused("time_s,force_N\n0,0\n", load + key + "history = [[0, 0]]\n", "history");
-  refused("", load, "history_file");
+  refused("time_s,force_N\n0,0\n", load + key + "history = [[0, 0]]\n", "excludes");
+  refused("", load, "one of `history`, `history_file` is missing");
   CHECK(message_of<FileError>([&] { read(folder, load + "history_file = \"none.csv\"\n"); }).find("none.csv") !=
         std::string::npos);
 }

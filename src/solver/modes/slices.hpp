@@ -3,7 +3,7 @@
 ///
 /// A Krylov space that holds n modes of a chain of N unknowns takes 4 n N numbers and some 8 n^2 N operations for every
 /// time that it is built: minutes where n is hundreds. Slices of a few dozen modes, each about a frequency of its own,
-/// take n/30 times as much as one of them. How many eigenvalues lie below a slice is told by the pivots of K - sigma M,
+/// take n/40 times as much as one of them. How many eigenvalues lie below a slice is told by the pivots of K - sigma M,
 /// so that nothing is left out between two of them and nothing is counted twice.
 
 #include <functional>
