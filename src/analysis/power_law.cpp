@@ -79,11 +79,11 @@ double power(const PowerLaw& law, const TestCondition& at) {
 
 std::optional<PowerLaw> PowerLawFit::law() const {
   if (!log_factor) return {};
+  const double factor = std::exp(log_factor->value);
+  if (!std::isnormal(factor)) return {};  // exponents of hundreds, from frequencies a per cent apart
   const auto value = [](const std::optional<Estimate>& e) { return e ? e->value : 0.0; };
-  return PowerLaw{.factor = std::exp(log_factor->value),
-                  .amplitude = value(amplitude),
-                  .frequency = value(frequency),
-                  .tension = value(tension)};
+  return PowerLaw{
+      .factor = factor, .amplitude = value(amplitude), .frequency = value(frequency), .tension = value(tension)};
 }
 
 PowerLawFit fit_power_law(std::span<const SelfDampingPoint> points, const AmplitudeBand& band) {

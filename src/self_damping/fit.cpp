@@ -34,7 +34,10 @@ FitRow row_of(const analysis::PowerLawFit& fit) {
              .no_slip_below = fit.no_slip_below};
   if (const auto law = fit.law()) {
     row.k = law->factor;
-    if (const auto& log_k = fit.log_factor->interval_95) row.k_interval = {std::exp(log_k->low), std::exp(log_k->high)};
+    if (const auto& log_k = fit.log_factor->interval_95) {
+      const Pair interval{std::exp(log_k->low), std::exp(log_k->high)};
+      if (std::isfinite(interval[1])) row.k_interval = interval;
+    }
   }
   set(fit.amplitude, row.l, row.l_error, row.l_interval);
   set(fit.frequency, row.m, row.m_error, row.m_interval);

@@ -199,6 +199,16 @@ TEST_CASE("power law: a band of amplitudes takes both of its ends and nothing be
   check_close(high.amplitude->value, 2, {.relative = 1e-12});
 }
 
+TEST_CASE("power law: a factor beyond what a number can hold is none, the exponents stay") {
+  // Two frequencies 1.5 % apart, on both sides of the onset of slip: f^1809, and k = 0.5/20.3^1809.
+  const PowerLawFit steep =
+      fit_power_law({{{.at = {.antinode_amplitude = 4e-3, .frequency = 20, .tension = 28e3}, .power = 1e-12},
+                      {.at = {.antinode_amplitude = 4e-3, .frequency = 20.3, .tension = 28e3}, .power = 0.5}}});
+  check_close(steep.frequency->value, std::log(0.5e12) / std::log(20.3 / 20), {.relative = 1e-9});
+  CHECK(steep.log_factor.has_value());
+  CHECK_FALSE(steep.law().has_value());
+}
+
 TEST_CASE("Student: one and two degrees of freedom have closed forms and many give the normal distribution") {
   for (const double p : {0.5, 0.9, 0.95, 0.999}) {
     check_close(student_t(1, p), std::tan(std::numbers::pi * p / 2), {.relative = 1e-12});

@@ -62,7 +62,7 @@ struct PowerLawFit {
   std::size_t unusable = 0;             ///< in the band, with a value that is not finite, or no f or T above zero
   std::optional<double> no_slip_below;  ///< [m] the largest A up to which no point of the band loses anything
 
-  std::optional<PowerLaw> law() const;  ///< nothing without a factor
+  std::optional<PowerLaw> law() const;  ///< nothing without a factor, or with one beyond what a number can hold
 };
 
 /// A variable whose values lie within 1 % counts as constant.
