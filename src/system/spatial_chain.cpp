@@ -22,7 +22,7 @@ class SpatialChain final : public Chain {
  public:
   explicit SpatialChain(const model::Model& model)
       : consistent_(model.mass_matrix == model::MassMatrix::consistent),
-        mass_per_length_(model.inertia.mass),
+        inertia_(model.inertia),
         elements_(model.elements),
         kinematics_(model.elements.size()),
         at_nodes_(model.nodes.size(), beam::RigidInertia{.mass = 0, .moment = Eigen::Matrix3d::Zero()}) {
@@ -89,7 +89,7 @@ class SpatialChain final : public Chain {
     }
     if (!consistent_) return;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      scatter(beam::consistent_inertia_force(elements_[e], mass_per_length_, motion_of_element(m, e)), e, f);
+      scatter(beam::consistent_inertia_force(elements_[e], inertia_, motion_of_element(m, e)), e, f);
     }
   }
 
@@ -106,7 +106,7 @@ class SpatialChain final : public Chain {
     }
     if (!consistent_) return;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      add(e, beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e), factors), K);
+      add(e, beam::consistent_inertia_tangent(elements_[e], inertia_, motion_of_element(m, e), factors), K);
     }
   }
 
@@ -120,7 +120,7 @@ class SpatialChain final : public Chain {
     }
     if (!consistent_) return;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      add(e, beam::consistent_mass(elements_[e], mass_per_length_, gather(u, e)), M);
+      add(e, beam::consistent_mass(elements_[e], inertia_, gather(u, e)), M);
     }
   }
 
@@ -135,7 +135,7 @@ class SpatialChain final : public Chain {
     if (!consistent_) return sum / 2;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       const SpatialVector rate = gather(v, e);
-      sum += rate.dot(beam::consistent_mass(elements_[e], mass_per_length_, gather(u, e)) * rate);
+      sum += rate.dot(beam::consistent_mass(elements_[e], inertia_, gather(u, e)) * rate);
     }
     return sum / 2;
   }
@@ -235,7 +235,7 @@ class SpatialChain final : public Chain {
   bool turns(std::size_t node) const { return at_nodes_[node].moment.trace() > 0; }
 
   bool consistent_;
-  double mass_per_length_;  // [kg/m] of the consistent part
+  beam::SpatialSectionInertia inertia_;
   std::vector<beam::SpatialElement> elements_;
   std::vector<beam::SpatialKinematics> kinematics_;
   std::vector<beam::RigidInertia> at_nodes_;

@@ -17,6 +17,7 @@ using strandyn::test::derivative;
 namespace {
 
 constexpr double mass = 2;  // [kg/m]
+constexpr SpatialSectionInertia of_section{.mass = mass, .rotary = 0, .polar = 0.7};
 
 /// Elements and motions of order 1 in every unit.
 class Random {
@@ -46,7 +47,7 @@ class Random {
 };
 
 double kinetic_energy(const SpatialElement& element, const SpatialVector& q, const SpatialVector& v) {
-  return 0.5 * v.dot(consistent_mass(element, mass, q) * v);
+  return 0.5 * v.dot(consistent_mass(element, of_section, q) * v);
 }
 
 /// The motion at a time t from one with constant acceleration.
@@ -73,7 +74,7 @@ double planar_difference(const SpatialMatrix& spatial, const PlanarMatrix& plana
 TEST_CASE("spatial inertia: an element that moves without turning has its mass in every direction") {
   Random random(1);
   const SpatialElement element = random.element();
-  const SpatialMatrix M = consistent_mass(element, mass, random.position());
+  const SpatialMatrix M = consistent_mass(element, of_section, random.position());
   for (const int direction : {0, 1, 2}) {
     const SpatialVector v = SpatialVector::Unit(direction) + SpatialVector::Unit(direction + 6);
     check_close(v.dot(M * v), mass * element.length, {.relative = 1e-14});
@@ -130,13 +131,13 @@ TEST_CASE("spatial inertia: the force is Lagrange's of the kinetic energy") {
     const SpatialMotion m = random.motion();
     SpatialVector expected = derivative([&](double t) -> SpatialVector {
       const SpatialMotion at = after(m, t);
-      return consistent_mass(element, mass, at.q) * at.v;
+      return consistent_mass(element, of_section, at.q) * at.v;
     });
     for (int j = 0; j < 12; ++j) {
       expected(j) -=
           derivative([&](double s) { return kinetic_energy(element, m.q + s * SpatialVector::Unit(j), m.v); });
     }
-    const SpatialVector force = consistent_inertia_force(element, mass, m);
+    const SpatialVector force = consistent_inertia_force(element, of_section, m);
     CHECK((force - expected).norm() <= 1e-10 * expected.norm());
   }
 }
@@ -150,7 +151,7 @@ TEST_CASE("spatial inertia: the power of the force is the rate of the kinetic en
       const SpatialMotion at = after(m, t);
       return kinetic_energy(element, at.q, at.v);
     });
-    const SpatialVector force = consistent_inertia_force(element, mass, m);
+    const SpatialVector force = consistent_inertia_force(element, of_section, m);
     check_close(m.v.dot(force), rate, {.relative = 0, .absolute = 1e-10 * m.v.norm() * force.norm()});
   }
 }
@@ -160,9 +161,9 @@ struct Tangents {
 };
 
 Tangents tangents(const SpatialElement& element, const SpatialMotion& m) {
-  return {.mass = consistent_inertia_tangent(element, mass, m, {.acceleration = 1}),
-          .velocity = consistent_inertia_tangent(element, mass, m, {.velocity = 1}),
-          .position = consistent_inertia_tangent(element, mass, m, {.position = 1})};
+  return {.mass = consistent_inertia_tangent(element, of_section, m, {.acceleration = 1}),
+          .velocity = consistent_inertia_tangent(element, of_section, m, {.velocity = 1}),
+          .position = consistent_inertia_tangent(element, of_section, m, {.position = 1})};
 }
 
 TEST_CASE("spatial inertia: its tangents are the derivatives of the force at any angle and at none") {
@@ -178,18 +179,18 @@ TEST_CASE("spatial inertia: its tangents are the derivatives of the force at any
         return derivative([&](double s) {
           SpatialMotion moved = m;
           (moved.*part)(j) += s;
-          return consistent_inertia_force(element, mass, moved);
+          return consistent_inertia_force(element, of_section, moved);
         });
       };
       CHECK((t.mass.col(j) - along(&SpatialMotion::a)).norm() <= 1e-11 * scale);
       CHECK((t.velocity.col(j) - along(&SpatialMotion::v)).norm() <= 1e-11 * scale);
       CHECK((t.position.col(j) - along(&SpatialMotion::q)).norm() <= 1e-11 * scale);
     }
-    CHECK((t.mass - consistent_mass(element, mass, m.q)).norm() <= 1e-15 * scale);
+    CHECK((t.mass - consistent_mass(element, of_section, m.q)).norm() <= 1e-15 * scale);
     CHECK((t.mass - t.mass.transpose()).norm() <= 1e-15 * scale);
     const SpatialMatrix sum = 3 * t.mass - 2 * t.velocity + 0.5 * t.position;
     const SpatialMatrix at_once =
-        consistent_inertia_tangent(element, mass, m, {.acceleration = 3, .velocity = -2, .position = 0.5});
+        consistent_inertia_tangent(element, of_section, m, {.acceleration = 3, .velocity = -2, .position = 0.5});
     CHECK((at_once - sum).norm() <= 1e-14 * scale);
   }
 }
@@ -210,7 +211,7 @@ TEST_CASE("spatial inertia: a motion in the plane is the planar element's") {
     const Inertia inertia{.mass = mass, .rotary = 0};
 
     const PlanarVector force = consistent_inertia_force(planar, inertia, m);
-    const SpatialVector spatial_force = consistent_inertia_force(spatial, mass, lifted_m);
+    const SpatialVector spatial_force = consistent_inertia_force(spatial, of_section, lifted_m);
     CHECK((spatial_force - lifted(force)).norm() <= 1e-14 * force.norm());
     const InertiaTangent t = consistent_inertia_tangent(planar, inertia, m);
     const Tangents s = tangents(spatial, lifted_m);
@@ -228,10 +229,10 @@ TEST_CASE("spatial inertia: a tiny rotation loses no digits") {
     SpatialMotion m{
         .q = SpatialVector::Zero(), .v = random.vector<SpatialVector>(2), .a = random.vector<SpatialVector>(3)};
     const SpatialMatrix slope = tangents(element, m).position;
-    SpatialVector expected = consistent_inertia_force(element, mass, m);
+    SpatialVector expected = consistent_inertia_force(element, of_section, m);
     m.q = 1e-9 * random.vector<SpatialVector>(1);
     expected += slope * m.q;  // what is left out is of second order, 1e-18
-    CHECK((consistent_inertia_force(element, mass, m) - expected).norm() <= 1e-15 * expected.norm());
+    CHECK((consistent_inertia_force(element, of_section, m) - expected).norm() <= 1e-15 * expected.norm());
   }
 }
 

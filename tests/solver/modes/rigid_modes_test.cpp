@@ -82,7 +82,7 @@ TEST_CASE("modes of a free beam in space: six rigid ones and every bending mode 
     }
   }
   CHECK(modes[14].kind == ModeKind::torsional);
-  check_close(modes[14].frequency, std::sqrt(GJ / polar) / (2 * length), {.relative = 1e-3});
+  check_close(modes[14].frequency, std::sqrt(GJ / polar) / (2 * length), {.relative = 1e-6});
 }
 
 TEST_CASE("modes of a beam on one pin: it turns about the pin, and nothing else is rigid") {
