@@ -89,6 +89,12 @@ class Echo {
   void scalar(const char* key, const std::optional<Scalar>& value, const Plain&) {
     if (value) object.set(key, value_of_scalar(*value));
   }
+  void scalars(const char* key, const std::vector<Scalar>& list, const Plain&) {
+    if (list.empty()) return;
+    Value entries = Value::list();
+    for (const Scalar& scalar : list) entries.append(value_of_scalar(scalar));
+    object.set(key, std::move(entries));
+  }
   void mode_word(const char* key, const std::optional<int>& mode, const Plain&) {
     if (mode) object.set(key, fmt::format("mode {}", *mode));
   }

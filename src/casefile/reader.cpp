@@ -216,16 +216,25 @@ std::vector<const toml::table*> Reader::to_tables(const toml::node& node, const 
   return tables;
 }
 
+Scalar Reader::to_scalar(const toml::node& node, const std::string& path, const Plain& spec) const {
+  if (const auto flag = node.value_exact<bool>()) return *flag;
+  if (node.is_string()) return to_text(node, path, spec);
+  return to_number(node, path, {.help = spec.help});
+}
+
 void Reader::scalar(const char* key, std::optional<Scalar>& field, const Plain& spec) {
   const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+  if (node) field = to_scalar(*node, path_of(key), spec);
+}
+
+void Reader::scalars(const char* key, std::vector<Scalar>& field, const Plain& spec) {
+  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
   if (!node) return;
-  if (const auto flag = node->value_exact<bool>()) {
-    field = *flag;
-  } else if (node->is_string()) {
-    field = to_text(*node, path_of(key), spec);
-  } else {
-    field = to_number(*node, path_of(key), {.help = spec.help});
-  }
+  const std::string path = path_of(key);
+  const toml::array* list = node->as_array();
+  if (!list || list->empty()) refuse(source_, path, "must be a list", std::string("give ") + spec.help);
+  field.clear();
+  for (const toml::node& element : *list) field.push_back(to_scalar(element, path + index(field.size()), spec));
 }
 
 void Reader::mode_word(const char* key, std::optional<int>& field, const Plain& spec) {

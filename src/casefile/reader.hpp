@@ -118,6 +118,7 @@ class Reader {
   }
 
   void scalar(const char* key, std::optional<Scalar>& field, const Plain& spec);
+  void scalars(const char* key, std::vector<Scalar>& field, const Plain& spec);
   void mode_word(const char* key, std::optional<int>& field, const Plain& spec);
   /// Reads the entry of the catalogue into `field`; the keys that follow lie on top of it.
   void catalogue(const char* key, Conductor& field, const Plain& spec);
@@ -227,6 +228,7 @@ class Reader {
   }
   /// In SI, or what is wrong with it.
   static std::optional<std::string> read_number(const toml::node& node, const Number& spec, double& x);
+  Scalar to_scalar(const toml::node& node, const std::string& path, const Plain& spec) const;
   std::string to_text(const toml::node& node, const std::string& path, const Plain& spec) const;
   bool to_flag(const toml::node& node, const std::string& path, const Plain& spec) const;
   std::string to_choice(const toml::node& node, const std::string& path, const Plain& spec,

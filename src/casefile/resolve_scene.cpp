@@ -254,9 +254,38 @@ void check_criterion(const Criterion& criterion, const Source& source) {
   }
 }
 
+/// What is varied is another case: all that is modelled stands there.
+void check_tradeoff(const Scene& scene) {
+  for (const auto& [path, entry] : scene.source.entries) {
+    const std::string table = path.substr(0, path.find_first_of(".["));
+    if (table == "title" || table == "analysis" || table == "accept") continue;
+    refuse(scene.source, table, "belongs into the base of analysis.type = \"tradeoff\"",
+           "move it to the file that analysis.base names, or name its keys as knobs");
+  }
+  const TradeoffAnalysis& tradeoff = scene.as<TradeoffAnalysis>();
+  for (std::size_t i = 0; i < tradeoff.knobs.size(); ++i) {
+    if (tradeoff.knobs[i].values.size() > 1) continue;
+    refuse(scene.source, fmt::format("analysis.knob[{}].values", i), "has one value, and nothing to compare it to",
+           "give at least two, from coarse to fine; the last is that of the reference");
+  }
+  if (const auto fault = find_path_fault(tradeoff.quantity)) {
+    refuse(scene.source, "analysis.quantity", *fault,
+           "write a path into the summary of the base, for example \"steady.friction_dissipation_J\"");
+  }
+}
+
+void check_criteria(const Scene& scene) {
+  for (const Criterion& criterion : scene.accept.criteria) check_criterion(criterion, scene.source);
+}
+
 }  // namespace
 
 void resolve_scene(Scene& scene) {
+  if (scene.is<TradeoffAnalysis>()) {
+    check_tradeoff(scene);
+    check_criteria(scene);
+    return;
+  }
   check_tables(scene);
   if (scene.conductor) resolve_conductor(*scene.conductor, scene.source);
   if (scene.span) check_span(scene);
@@ -272,7 +301,7 @@ void resolve_scene(Scene& scene) {
     integrator.steps_per_cycle = default_steps_per_cycle;
   }
   check_plausible(scene);
-  for (const Criterion& criterion : scene.accept.criteria) check_criterion(criterion, scene.source);
+  check_criteria(scene);
 }
 
 }  // namespace strandyn::casefile

@@ -35,6 +35,10 @@ ordered_json number_schema(const Number& number, bool whole) {
   return schema;
 }
 
+ordered_json scalar_schema() {
+  return {{"type", {"number", "boolean", "string"}}};
+}
+
 template <class E>
 ordered_json choice_schema() {
   ordered_json names = ordered_json::array();
@@ -106,8 +110,9 @@ class SchemaWriter {
     add(key, {{"type", "boolean"}, {"default", value}}, spec);
   }
   void flag(const char* key, const std::optional<bool>&, const Plain& spec) { add(key, {{"type", "boolean"}}, spec); }
-  void scalar(const char* key, const std::optional<Scalar>&, const Plain& spec) {
-    add(key, {{"type", {"number", "boolean", "string"}}}, spec);
+  void scalar(const char* key, const std::optional<Scalar>&, const Plain& spec) { add(key, scalar_schema(), spec); }
+  void scalars(const char* key, const std::vector<Scalar>&, const Plain& spec) {
+    add(key, {{"type", "array"}, {"items", scalar_schema()}, {"minItems", 1}}, spec);
   }
   void mode_word(const char* key, const std::optional<int>&, const Plain& spec) {
     add(key, {{"type", "string"}, {"pattern", "^mode 0*[1-9][0-9]*$"}}, spec);

@@ -81,9 +81,10 @@ Value describe_case(const Scene& scene) {
   Value out = Value::object();
   out.set("title", scene.title);
   out.set("analysis", casefile::word_of(scene.analysis));
-  out.set("section_law", name_of(scene.section.law));
-  if (scene.conductor) out.set("conductor", results::to_value(facts_of(scene.conductor->strand)));
-  out.set("section", results::to_value(build::section_numbers(scene)));
+  const Scene& modelled = analysis->base() ? *analysis->base() : scene;
+  out.set("section_law", name_of(modelled.section.law));
+  if (modelled.conductor) out.set("conductor", results::to_value(facts_of(modelled.conductor->strand)));
+  out.set("section", results::to_value(build::section_numbers(modelled)));
   const Outlook outlook = analysis->outlook();
   out.merge(outlook.modelled);
   const double mean = std::sqrt(outlook.evaluations_least * outlook.evaluations_most);

@@ -11,13 +11,18 @@ namespace strandyn::study {
 using Prepare = std::unique_ptr<Analysis>(const casefile::Scene& scene);
 
 Prepare prepare_section, prepare_axial_torsion, prepare_static, prepare_modes, prepare_decay, prepare_forced,
-    prepare_transient, prepare_sweep, prepare_self_damping;
+    prepare_transient, prepare_sweep, prepare_self_damping, prepare_tradeoff;
 
 /// The members of the summary that are the analysis' own.
 using Notes = std::vector<results::MemberNote>();
 
 Notes notes_of_frame, notes_of_section, notes_of_axial_torsion, notes_of_static, notes_of_modes, notes_of_vibration,
-    notes_of_decay_analysis, notes_of_transient, notes_of_sweep, notes_of_self_damping;
+    notes_of_decay_analysis, notes_of_transient, notes_of_sweep, notes_of_self_damping, notes_of_tradeoff;
+
+/// `program` of every summary: what has computed it.
+results::Value program_of_summaries();
+/// Where a tradeoff keeps the summaries of its settings.
+inline constexpr const char* settings_folder = "settings";
 
 struct Entry {
   std::string_view word;
@@ -34,7 +39,8 @@ inline constexpr std::array entries = {
     Entry{casefile::ForcedAnalysis::word, prepare_forced, notes_of_vibration},
     Entry{casefile::TransientAnalysis::word, prepare_transient, notes_of_transient},
     Entry{casefile::SweepAnalysis::word, prepare_sweep, notes_of_sweep},
-    Entry{casefile::SelfDampingAnalysis::word, prepare_self_damping, notes_of_self_damping}};
+    Entry{casefile::SelfDampingAnalysis::word, prepare_self_damping, notes_of_self_damping},
+    Entry{casefile::TradeoffAnalysis::word, prepare_tradeoff, notes_of_tradeoff}};
 static_assert(entries.size() == std::variant_size_v<casefile::Analysis>, "one row for each analysis of a case");
 
 }  // namespace strandyn::study

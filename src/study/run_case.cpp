@@ -127,13 +127,13 @@ Value list_of(const std::vector<std::string>& words) {
 
 /// What every summary begins with; `status` and `cost` get their values at the end, and stand where they are read
 /// first.
-Value frame(const casefile::Scene& scene) {
+Value frame(const casefile::Scene& scene, const Analysis& analysis) {
   Value s = Value::object();
   s.set("title", scene.title);
   s.set("status", "");
-  s.set("program", results::to_value(Program{}));
+  s.set("program", program_of_summaries());
   s.set("case", casefile::case_as_run(scene));
-  s.set("section", results::to_value(build::section_numbers(scene)));
+  s.set("section", results::to_value(build::section_numbers(analysis.base() ? *analysis.base() : scene)));
   s.set("cost", results::to_value(Cost{}));
   s.set("warnings", Value::list());
   return s;
@@ -145,7 +145,12 @@ std::vector<results::MemberNote> notes_of_frame() {
   return results::ReferenceWriter::of<Frame>();
 }
 
+results::Value program_of_summaries() {
+  return results::to_value(Program{});
+}
+
 const char* resumes_from(const casefile::Scene& scene) {
+  if (scene.is<casefile::TradeoffAnalysis>()) return settings_folder;
   return scene.is<casefile::SelfDampingAnalysis>() ? self_damping::log_name : checkpoint_name;
 }
 
@@ -154,7 +159,7 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   const std::clock_t cpu_start = std::clock();
   const std::unique_ptr<Analysis> analysis = prepare(scene);
   CaseResult result;
-  result.summary = frame(scene);
+  result.summary = frame(scene, *analysis);
   result.warnings = scene.warnings;
   try {
     analysis->run(hooks, result);

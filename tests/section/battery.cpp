@@ -26,7 +26,7 @@ std::vector<Component> components_of(const Law& law) {
 }
 
 bool same_bytes(const AlignedVector& a, const AlignedVector& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 /// The largest offence of a check and where it happened: one message instead of thousands.

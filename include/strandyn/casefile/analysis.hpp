@@ -14,12 +14,13 @@
 #include "strandyn/casefile/analysis/self_damping.hpp"
 #include "strandyn/casefile/analysis/static.hpp"
 #include "strandyn/casefile/analysis/sweep.hpp"
+#include "strandyn/casefile/analysis/tradeoff.hpp"
 #include "strandyn/casefile/analysis/transient.hpp"
 
 namespace strandyn::casefile {
 
 using Analysis = std::variant<SectionAnalysis, AxialTorsionAnalysis, StaticAnalysis, ModesAnalysis, DecayAnalysis,
-                              ForcedAnalysis, TransientAnalysis, SweepAnalysis, SelfDampingAnalysis>;
+                              ForcedAnalysis, TransientAnalysis, SweepAnalysis, SelfDampingAnalysis, TradeoffAnalysis>;
 
 /// The word of the chosen one.
 inline std::string_view word_of(const Analysis& analysis) {

@@ -90,6 +90,8 @@ struct Outlook {
 class Analysis {
  public:
   virtual ~Analysis() = default;
+  /// The scene whose section the summary tells; null: that which was prepared.
+  virtual const casefile::Scene* base() const { return nullptr; }
   virtual Outlook outlook() = 0;
   virtual void run(const Hooks& hooks, Outcome& outcome) = 0;
 };

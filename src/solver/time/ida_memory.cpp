@@ -31,6 +31,16 @@ void require_version_of_headers() {
   throw ComputationError("checkpoints of IDA need SUNDIALS " SUNDIALS_VERSION ", for which this program was built");
 }
 
+/// Orders and counts that IDA takes as places in its rows: those that it can have left itself.
+void check_places(const IDAMem m) {
+  const auto within = [](int x, int least, int most) { return x >= least && x <= most; };
+  if (within(m->ida_kk, 1, m->ida_maxord) && within(m->ida_kused, 0, m->ida_maxord) &&
+      within(m->ida_knew, 0, m->ida_maxord) && within(m->ida_phase, 0, 1) && within(m->ida_ns, 0, m->ida_maxord + 2)) {
+    return;
+  }
+  throw FileError("it holds an order or a phase that IDA does not have");
+}
+
 }  // namespace
 
 bool ida_has_checkpoints() {
@@ -44,6 +54,7 @@ void archive_ida(Archive& a, void* ida) {
   a(m->ida_kk, m->ida_kused, m->ida_knew, m->ida_phase, m->ida_ns, m->ida_hh, m->ida_hused, m->ida_h0u, m->ida_eta,
     m->ida_tn, m->ida_tretlast, m->ida_cj, m->ida_cjlast, m->ida_cjold, m->ida_cjratio, m->ida_ss, m->ida_tolsf);
   for (auto* coefficients : {&m->ida_psi, &m->ida_alpha, &m->ida_beta, &m->ida_sigma, &m->ida_gamma}) a(*coefficients);
+  if (a.reads()) check_places(m);
   // Differences up to the highest order: the last one is kept for a step of higher order.
   for (int k = 0; k <= m->ida_maxord; ++k) {
     const std::span<double> difference(N_VGetArrayPointer(m->ida_phi[k]),
