@@ -56,7 +56,7 @@ CheckpointCheck::Stored CheckpointCheck::stored_by_law() const {
   section::StepEnergy energy(system.committed_strains().points());
   system.model().law->commit(history, system.committed_strains(), energy);
   Stored sum{.elastic = system.elastic_energy(energy.stored, u_->data())};
-  for (std::size_t point = 0; point < energy.stored.size(); ++point) {
+  for (std::size_t point = 0; point < system.committed_strains().points(); ++point) {
     sum.of_sections += system.point_length(point) * std::abs(energy.stored[point]);
   }
   return sum;

@@ -349,7 +349,7 @@ Accepted System::commit(const double* u, double time) {
 
 double System::elastic_energy(const AlignedVector& stored, const double* u) const {
   double energy = 0;
-  for (std::size_t point = 0; point < stored.size(); ++point) {
+  for (std::size_t point = 0; point < strains_.points(); ++point) {  // the rows are longer: whole registers
     energy += point_length(point) * (stored[point] - stored_at_begin_[point]);
     if (!material_.is_empty()) energy += point_length(point) * material_.stored()[point];
   }

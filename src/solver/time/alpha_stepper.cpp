@@ -1,5 +1,6 @@
 #include "alpha_stepper.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "strandyn/core/error.hpp"
@@ -73,6 +74,18 @@ bool AlphaStepper::shorten_rotations() {
 void AlphaStepper::archive(Archive& a) {
   a(time_, length_, multiples_, whole_, rejected_steps_);
   a(h_, now_, a_, starting_, rate_, patience_, factors_, factored_, newton_iterations_);
+  if (a.reads()) check_steps();
+}
+
+/// Whether a run can have come to such a place between two multiples of the step: what is read is divided by.
+void AlphaStepper::check_steps() const {
+  const auto& [start, done, part] = whole_;
+  const bool parted = part >= 1 && part <= parts && std::has_single_bit(static_cast<unsigned>(part)) && done >= 0 &&
+                      done < parts && done % part == 0;
+  const double behind = static_cast<double>(multiples_) * whole_step_;
+  const bool placed =
+      behind <= start + rounding() && start <= time_ + rounding() && time_ <= next_multiple() + rounding();
+  if (!parted || !placed || !(h_ > 0)) throw FileError("it stands at a place that no step of this run comes to");
 }
 
 /// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.

@@ -44,6 +44,7 @@ class AlphaStepper final : public Stepper {
   };
   double next_multiple() const { return static_cast<double>(multiples_ + 1) * whole_step_; }
   double rounding() const { return 1e-6 * whole_step_; }
+  void check_steps() const;
   bool advance(double end);
   void adapt_to(double h);
   void predict(double end);
