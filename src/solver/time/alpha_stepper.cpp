@@ -85,7 +85,8 @@ void AlphaStepper::check_steps() const {
   const double behind = static_cast<double>(multiples_) * whole_step_;
   const bool placed =
       behind <= start + rounding() && start <= time_ + rounding() && time_ <= next_multiple() + rounding();
-  if (!parted || !placed || !(h_ > 0)) throw FileError("it stands at a place that no step of this run comes to");
+  if (!parted || !placed || !(h_ > 0))
+    throw InputError("its numbers do not belong together: it stands where no step of this run ends");
 }
 
 /// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.
