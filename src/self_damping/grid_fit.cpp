@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
+#include <tuple>
 
 #include "strandyn/air/still_air.hpp"
 
@@ -29,19 +31,41 @@ bool alike(double a, double b) {
   return std::abs(a - b) <= 1e-6 * std::abs(b);
 }
 
-/// Neighbours of points[i] along a variable, where two others stay: the next smaller and the next larger one, or
-/// itself.
-template <class Stays, class Of>
-std::pair<std::size_t, std::size_t> neighbours(const std::vector<SelfDampingPoint>& points, std::size_t i,
-                                               const Stays& stays, const Of& of) {
-  std::size_t below = i, above = i;
-  for (std::size_t j = 0; j < points.size(); ++j) {
-    if (points[j].power <= 0 || !stays(points[j].at, points[i].at)) continue;
-    const double x = of(points[j].at), here = of(points[i].at);
-    if (x < here && !alike(x, here) && (below == i || x > of(points[below].at))) below = j;
-    if (x > here && !alike(x, here) && (above == i || x < of(points[above].at))) above = j;
+/// Of every point the place of its value among all values, from the smallest; values that are alike share a place.
+template <class Of>
+std::vector<std::size_t> places(const std::vector<SelfDampingPoint>& points, const Of& of) {
+  std::vector<std::size_t> order(points.size()), place(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return of(points[i].at); });
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    const bool same = alike(of(points[order[k - 1]].at), of(points[order[k]].at));
+    place[order[k]] = place[order[k - 1]] + (same ? 0 : 1);
   }
-  return {below, above};
+  return place;
+}
+
+/// Neighbours of every point along a variable, where two others stay: the next smaller and the next larger one, or
+/// itself. In n log n: grids have tens of thousands of points.
+std::vector<std::pair<std::size_t, std::size_t>> neighbours(const std::vector<std::size_t>& stays,
+                                                            const std::vector<std::size_t>& stays_too,
+                                                            const std::vector<std::size_t>& along) {
+  std::vector<std::size_t> order(along.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto line = [&](std::size_t i) { return std::pair(stays[i], stays_too[i]); };
+  std::ranges::sort(order, {}, [&](std::size_t i) { return std::tuple(stays[i], stays_too[i], along[i], i); });
+  std::vector<std::pair<std::size_t, std::size_t>> beside(along.size());
+  const auto look = [&](auto begin, auto end, auto side) {
+    std::optional<std::size_t> before{}, last{};  // of the line: the last point of another place, the last point
+    for (auto at = begin; at != end; ++at) {
+      if (last && line(*last) != line(*at)) before = last = std::nullopt;
+      if (last && along[*last] != along[*at]) before = last;
+      beside[*at].*side = before.value_or(*at);
+      last = *at;
+    }
+  };
+  look(order.begin(), order.end(), &std::pair<std::size_t, std::size_t>::first);
+  look(order.rbegin(), order.rend(), &std::pair<std::size_t, std::size_t>::second);
+  return beside;
 }
 
 double velocity_of(const TestCondition& at) {
@@ -102,32 +126,19 @@ std::vector<LocalExponents> local_exponents(const std::vector<SelfDampingPoint>&
   const auto of_power = [&](const std::pair<std::size_t, std::size_t>& between) {
     return std::log(points[between.second].power / points[between.first].power);
   };
+  const auto A = places(points, amplitude), f = places(points, frequency), T = places(points, tension);
+  const auto along_A = neighbours(f, T, A), along_T = neighbours(f, A, T);
+  const auto at_same_amplitude = neighbours(T, A, f), at_same_velocity = neighbours(T, places(points, velocity_of), f);
   std::vector<LocalExponents> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto there = [](const auto& between) { return between.first != between.second; };
     LocalExponents local{.at = points[i].at};
-    const auto along_A = neighbours(
-        points, i,
-        [](const auto& a, const auto& b) { return alike(a.frequency, b.frequency) && alike(a.tension, b.tension); },
-        amplitude);
-    if (along_A.first != along_A.second) local.l = of_power(along_A) / rise(along_A, amplitude);
-    const auto same_amplitude = [](const auto& a, const auto& b) {
-      return alike(a.tension, b.tension) && alike(a.antinode_amplitude, b.antinode_amplitude);
-    };
-    const auto same_velocity = [](const auto& a, const auto& b) {
-      return alike(a.tension, b.tension) && alike(velocity_of(a), velocity_of(b));
-    };
-    auto along_f = neighbours(points, i, same_amplitude, frequency);
-    if (along_f.first == along_f.second) along_f = neighbours(points, i, same_velocity, frequency);
-    if (along_f.first != along_f.second && local.l) {
+    if (there(along_A[i])) local.l = of_power(along_A[i]) / rise(along_A[i], amplitude);
+    const auto& along_f = there(at_same_amplitude[i]) ? at_same_amplitude[i] : at_same_velocity[i];
+    if (there(along_f) && local.l) {
       local.m = (of_power(along_f) - *local.l * rise(along_f, amplitude)) / rise(along_f, frequency);
     }
-    const auto along_T = neighbours(
-        points, i,
-        [](const auto& a, const auto& b) {
-          return alike(a.frequency, b.frequency) && alike(a.antinode_amplitude, b.antinode_amplitude);
-        },
-        tension);
-    if (along_T.first != along_T.second) local.n = -of_power(along_T) / rise(along_T, tension);
+    if (there(along_T[i])) local.n = -of_power(along_T[i]) / rise(along_T[i], tension);
     all.push_back(local);
   }
   return all;

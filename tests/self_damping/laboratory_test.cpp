@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 #include "strandyn/self_damping/grid_fit.hpp"
@@ -159,6 +160,28 @@ TEST_CASE("grid: local exponents of one power are that power at every point, of 
       check_close(*local.m, 5.6, {.absolute = 1e-9});
       check_close(*local.n, 2.7, {.absolute = 1e-9});
     }
+  }
+}
+
+TEST_CASE("grid: local exponents of forty thousand points are there before a stop would be late") {
+  std::vector<analysis::SelfDampingPoint> points;
+  for (int k = 0; k < 10000; ++k) {
+    const double f = 10 + 0.005 * k;
+    for (const double A : {1e-3, 2e-3}) {
+      for (const double T : {20e3, 30e3}) {
+        points.push_back({.at = {.antinode_amplitude = A, .frequency = f, .tension = T},
+                          .power = std::pow(A, 2.4) * std::pow(f, 5.6) / std::pow(T, 2.7)});
+      }
+    }
+  }
+  const auto begin = std::clock();
+  const std::vector<LocalExponents> found = local_exponents(points);
+  CHECK(double(std::clock() - begin) / CLOCKS_PER_SEC < 1);  // each against each other: some ten seconds
+  REQUIRE(found.size() == points.size());
+  for (const std::size_t i : {std::size_t{0}, found.size() / 2, found.size() - 1}) {
+    check_close(found[i].l.value(), 2.4, {.absolute = 1e-9});
+    check_close(found[i].m.value(), 5.6, {.absolute = 1e-6});  // ln f of neighbours differs by 1e-4
+    check_close(found[i].n.value(), 2.7, {.absolute = 1e-9});
   }
 }
 
