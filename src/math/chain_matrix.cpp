@@ -83,6 +83,11 @@ void ChainMatrix::multiply(const double* x, double* y) const {
   Eigen::Map<Eigen::VectorXd>(y, n) += update_->column * update_->row.dot(Eigen::Map<const Eigen::VectorXd>(x, n));
 }
 
+bool ChainMatrix::fits_update() const {
+  const auto n = static_cast<Eigen::Index>(size());
+  return !update_ || (update_->column.size() == n && update_->row.size() == n);
+}
+
 std::size_t negative_eigenvalues(const ChainMatrix& a) {
   const auto of_blocks = [&](auto B) {
     using Blocks = BlockTridiagonal<B()>;
@@ -131,6 +136,13 @@ void ChainFactors::solve(double* x) const {
   if (!updated_) return;
   Eigen::Map<Eigen::VectorXd> solution(x, row_.size());
   solution -= solved_column_ * row_.dot(solution);
+}
+
+bool ChainFactors::fit(const ChainMatrix& a) const {
+  const auto size = static_cast<Eigen::Index>(a.size());
+  return factors_.index() + 2 == static_cast<std::size_t>(a.block()) &&
+         std::visit([&](const auto& f) { return f.fit(a.nodes()); }, factors_) &&
+         (!updated_ || (row_.size() == size && solved_column_.size() == size));
 }
 
 }  // namespace strandyn::math

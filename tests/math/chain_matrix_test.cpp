@@ -108,6 +108,22 @@ TEST_CASE("chain matrix: factors serve one matrix after another of any kind") {
   });
 }
 
+TEST_CASE("chain matrix: factors fit matrices of their own blocks and nodes, and an update its own matrix") {
+  for_every_kind([](RandomChain& random, int block, bool with_update) {
+    ChainMatrix a = random.matrix(block, with_update);
+    ChainFactors factors;
+    CHECK_FALSE(factors.fit(a));
+    REQUIRE(factors.factorize(a));
+    CHECK(factors.fit(a));
+    CHECK_FALSE(factors.fit(ChainMatrix(block, nodes + 1)));
+    CHECK_FALSE(factors.fit(ChainMatrix(block == 6 ? 2 : block + 1, nodes)));
+    CHECK(a.fits_update());
+    if (!with_update) return;
+    a.update()->row.conservativeResize(4);
+    CHECK_FALSE(a.fits_update());
+  });
+}
+
 TEST_CASE("chain matrix: a multiple of another is added and scales its update") {
   for_every_kind([](RandomChain& random, int block, bool with_update) {
     ChainMatrix a = random.matrix(block, false);

@@ -124,6 +124,11 @@ class BlockTridiagonalLU {
     }
   }
 
+  /// Whether these are the factors of a matrix of `nodes` nodes; what is read from a file need not be of any.
+  bool fit(std::size_t nodes) const {
+    return inverse_.size() == nodes && lower_.size() == nodes && upper_.size() == nodes;
+  }
+
   template <class Archive>
   void archive(Archive& a) {
     a(inverse_, lower_, upper_);

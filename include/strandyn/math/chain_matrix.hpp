@@ -73,6 +73,9 @@ class ChainMatrix {
   /// y = A x.
   void multiply(const double* x, double* y) const;
 
+  /// Whether the update is one of this matrix; what is read from a file need not be.
+  bool fits_update() const;
+
   /// Keeps its block size.
   template <class Archive>
   void archive(Archive& a) {
@@ -97,6 +100,10 @@ class ChainFactors {
   bool factorize(const ChainMatrix& a);
   /// Overwrites the right-hand side with the solution.
   void solve(double* x) const;
+
+  /// Whether these are the factors of a matrix with the blocks, nodes and update of `a`; what is read from a file need
+  /// not be of any.
+  bool fit(const ChainMatrix& a) const;
 
   template <class Archive>
   void archive(Archive& a) {

@@ -75,4 +75,10 @@ void ChainProblem::solve(const double* b, double* x) {
   for (std::size_t i = 0; i < n; ++i) x[n + i] = system_.has_mass(i) ? cj_ * x[i] - b[i] : b[i];
 }
 
+void ChainProblem::archive(Archive& a) {
+  a(G_, factors_, cj_);
+  if (!G_.fits_update() || (cj_ != 0 && !factors_.fit(K_)))
+    throw FileError("the factors of its matrix are another system's");
+}
+
 }  // namespace strandyn::solver

@@ -26,7 +26,8 @@ class ChainProblem {
   double factored_cj() const { return cj_; }
 
   /// The factors at hand, and what `solve` needs beside them. They were made at a state and a history of long ago.
-  void archive(Archive& a) { a(G_, factors_, cj_); }
+  /// Throws FileError where they are another system's.
+  void archive(Archive& a);
 
  private:
   system::At at(double t) const { return {.time = t, .drives = drives_}; }
