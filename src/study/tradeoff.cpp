@@ -182,25 +182,30 @@ class Tradeoff final : public Analysis {
                                         Outcome& outcome) const {
     const std::vector<std::size_t>& setting = settings_[number];
     const std::filesystem::path file = folder / fmt::format("{:03}.json", number);
-    SettingRow row{.number = number, .is_reference = number == 0};
-    const Scene scene = scene_of(setting);
     results::Value summary = results::Value::object();
-    if (!folder.empty() && hooks.resume) summary = earlier(file, scene);
-    if (summary.empty()) {
-      const double from = share_of(0, number), part = share_of(number, number + 1);
-      const Hooks inner{.stop = hooks.stop, .progress = [&](double fraction, std::string_view) {
-                          if (hooks.progress) hooks.progress(from + part * fraction, words_of(setting));
-                        }};
-      try {
+    const auto fail = [&](const char* why) {
+      summary.set("status", "failed");
+      summary.set("message", why);
+    };
+    try {
+      const Scene scene = scene_of(setting);
+      if (!folder.empty() && hooks.resume) summary = earlier(file, scene);
+      if (summary.empty()) {
+        const double from = share_of(0, number), part = share_of(number, number + 1);
+        const Hooks inner{.stop = hooks.stop, .progress = [&](double fraction, std::string_view) {
+                            if (hooks.progress) hooks.progress(from + part * fraction, words_of(setting));
+                          }};
         CaseResult result = run_case(scene, inner);
         if (result.exit_code == ExitCode::interrupted) return std::nullopt;
         summary = std::move(result.summary);
-      } catch (const ComputationError& error) {
-        summary.set("status", "failed");
-        summary.set("message", error.what());
+        if (!folder.empty()) results::write_json(file, summary);
       }
-      if (!folder.empty()) results::write_json(file, summary);
+    } catch (const ComputationError& error) {
+      fail(error.what());
+    } catch (const InputError& error) {  // each value is fine, and not all of them together
+      fail(error.what());
     }
+    SettingRow row{.number = number, .is_reference = number == 0};
     row.status = *summary.find("status")->words();
     if (const results::Value* message = summary.find("message"); message && message->words()) {
       row.message = *message->words();

@@ -136,6 +136,28 @@ TEST_CASE("tradeoff: one that was stopped goes on where it was, and computes not
   CHECK(number_of(other.summary, "reference.value") != number_of(whole.summary, "reference.value"));
 }
 
+TEST_CASE("tradeoff: settings that the base refuses together fail in their own row") {
+  const Files files;
+  std::ofstream(files.file) << R"([analysis]
+type = "tradeoff"
+base = "base.toml"
+quantity = "cycles[sum].friction_dissipation_J"
+[[analysis.knob]]
+key = "span.tension_kN"
+values = [250, 30]
+[[analysis.knob]]
+key = "section.EA_N"
+values = [4e5, 4.7e7]
+)";
+  const auto result = study::run_case(casefile::read_scene(files.file));
+  CHECK(result.exit_code == ExitCode::done);
+  const results::Value& together = result.summary.find("points")->entries().back();
+  CHECK(*together.find("status")->words() == "failed");
+  CHECK(together.find("message")->words()->find("would stretch the span by 0.625") != std::string::npos);
+  CHECK_FALSE(*together.find("on_frontier")->flag());
+  CHECK(result.summary.find("points")->entries().size() == 4);
+}
+
 TEST_CASE("tradeoff: a reference without the quantity ends the study, and says what is missing") {
   const Files files;
   const auto result = study::run_case(casefile::read_scene(files.file, {"analysis.quantity=steady.no_such_number"}));

@@ -6,7 +6,7 @@
 ///     T = 1/2 sum m_ab X_a' . X_b',   force = G^T m X'',   G = dX/dq,   X'' = G q'' + G' q'
 /// The kinetic energy is objective for any rotation and the force is Lagrange's of it, centrifugal terms included. In
 /// a plane it is the planar element's. A spin about the axis moves no centre line: its energy is the rotary inertia's,
-/// a rigid body at each node, less what the mean of lumped and linear twist has less,
+/// a rigid body at each node, less a part that makes it the mean of lumped and linear twist,
 ///     T = J_p l/2 [5/12 (w_1^2 + w_2^2) + w_1 w_2/6] = J_p l/4 (w_1^2 + w_2^2) - J_p l/24 (w_2 - w_1)^2,   w_i = a .
 ///     W_i
 /// with W the spins seen from the sections. Torsional frequencies of either alone are off by (k l)^2/24, those of the
