@@ -14,9 +14,10 @@ namespace {
 /// Beyond this a mesh is no choice of the program.
 constexpr std::size_t most_automatic = 200000;
 
-/// Half a wave [m] at the highest frequency that the scene speaks of; a guess of the twelfth mode where it names none.
+/// Half a wave [m] at the highest frequency that the scene speaks of; unless elements of a loop are asked for, that of
+/// the twelfth mode where it speaks of lower ones or of none.
 double shortest_loop(const casefile::Scene& scene, double tension, double length) {
-  double shortest = length / 12;
+  double shortest = scene.span->elements_per_loop ? length : length / 12;
   const auto consider_mode = [&](int mode) { shortest = std::min(shortest, length / mode); };
   const auto consider = [&](const auto& source) {
     if (source.frequency) shortest = std::min(shortest, loop_length(scene, tension, *source.frequency));
@@ -72,9 +73,9 @@ std::vector<double> straight_positions(const casefile::Scene& scene, const Secti
   // Half of the length within which bending dies out at a clamp when all wires slip there.
   if (graded) built.end_size = options.end_size = 0.5 * std::sqrt(numbers.EI_min / built.tension);
   const double elements_per_loop = std::visit(
-      [](const auto& analysis) {
+      [&](const auto& analysis) {
         if constexpr (requires { analysis.elements_per_loop; }) return analysis.elements_per_loop;
-        return 10.0;
+        return span.elements_per_loop.value_or(10.0);
       },
       scene.analysis);
   const double loop = shortest_loop(scene, built.tension, built.length);

@@ -195,6 +195,10 @@ std::vector<Verdict> judge(const Acceptance& acceptance, const Value& summary, i
   return verdicts;
 }
 
+std::optional<double> number_at(const std::string& path, const results::Value& summary) {
+  return judge({.criteria = {{.path = path, .above = 0}}}, summary, 0).front().got;
+}
+
 std::optional<std::string> find_path_fault(std::string_view path) {
   const auto steps = parse_path(path);
   if (const std::string* fault = std::get_if<std::string>(&steps)) return *fault;

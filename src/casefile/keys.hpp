@@ -137,6 +137,11 @@ void keys(V& v, Criterion& c) {
 template <class V>
 void keys(V& v, Scene& s) {
   v.text("title", s.title, {.help = "what the case shows (the file's name unless given)"});
+  v.scalar(
+      "accuracy", s.accuracy,
+      {.help = "how near to the converged dissipation the program is to come with mesh, steps and points of its own "
+               "choice: \"fast\" (10 %), \"balanced\" (2 %), \"reference\" (0.2 %), or a number (0.02); for decay "
+               "and forced"});
   v.table("conductor", s.conductor, {.help = "the stranded conductor"});
   v.table("section", s.section, {.help = "how a section answers to strain"});
   v.table("span", s.span, {.help = "the span between its supports"});

@@ -274,6 +274,24 @@ void check_tradeoff(const Scene& scene) {
   }
 }
 
+void check_accuracy(const Scene& scene) {
+  if (!scene.accuracy) return;
+  if (!scene.is<DecayAnalysis>() && !scene.is<ForcedAnalysis>()) {
+    refuse(scene.source, "accuracy", fmt::format("is no key of analysis.type = \"{}\"", word_of(scene.analysis)),
+           "remove it: decay and forced take it");
+  }
+  const std::optional<double> target = target_error(scene);
+  if (!target || *target < least_target_error || *target > largest_target_error) {
+    refuse(scene.source, "accuracy", "names no error of the dissipation",
+           fmt::format("write \"fast\", \"balanced\", \"reference\", or a part of the dissipation from {:g} to {:g}",
+                       least_target_error, largest_target_error));
+  }
+  if (scene.integrator.step != StepRule::fixed || scene.integrator.step_size) {
+    refuse(scene.source, scene.integrator.step_size ? "integrator.step_s" : "integrator.step",
+           "and accuracy would both choose the time step", "remove one of them, or give integrator.steps_per_cycle");
+  }
+}
+
 void check_criteria(const Scene& scene) {
   for (const Criterion& criterion : scene.accept.criteria) check_criterion(criterion, scene.source);
 }
@@ -292,6 +310,7 @@ void resolve_scene(Scene& scene) {
   resolve_loads(scene);
   fill_laboratory_grid(scene);
   check_analysis(scene);
+  check_accuracy(scene);
   Integrator& integrator = scene.integrator;
   // A bench compares small losses: it takes the method that damps least, unless the case names one.
   if (scene.is<SelfDampingAnalysis>() && !scene.source.find("integrator.method")) {

@@ -20,6 +20,15 @@ double Span::total_length() const {
   return sum;
 }
 
+std::optional<double> target_error(const Scene& scene) {
+  if (!scene.accuracy) return std::nullopt;
+  if (const double* number = std::get_if<double>(&*scene.accuracy)) return *number;
+  const std::string* word = std::get_if<std::string>(&*scene.accuracy);
+  const auto named = std::ranges::find_if(named_errors, [&](const NamedError& e) { return word && *word == e.name; });
+  if (named == named_errors.end()) return std::nullopt;
+  return named->value;
+}
+
 std::optional<double> span_tension(const Scene& scene) {
   if (!scene.span) return std::nullopt;
   if (scene.span->tension_rts) return *scene.span->tension_rts * rated_strength(scene);

@@ -19,6 +19,10 @@ using Notes = std::vector<results::MemberNote>();
 Notes notes_of_frame, notes_of_section, notes_of_axial_torsion, notes_of_static, notes_of_modes, notes_of_vibration,
     notes_of_decay_analysis, notes_of_transient, notes_of_sweep, notes_of_self_damping, notes_of_tradeoff;
 
+/// The analysis with a mesh, a step and points that meet the accuracy asked for, and an estimate of its error.
+Prepare prepare_accurate;
+Notes notes_of_accuracy;
+
 /// `program` of every summary: what has computed it.
 results::Value program_of_summaries();
 /// Where a tradeoff keeps the summaries of its settings.

@@ -27,6 +27,7 @@ std::string outputs_reference() {
       "What is not there was not computed.\n\n"
       "## In every summary.json\n\n";
   text += table_of(notes_of_frame());
+  text += "\n## Where `accuracy` is given\n\n" + table_of(notes_of_accuracy());
   for (const Entry& entry : entries) {
     text += fmt::format("\n## `type = \"{}\"`\n\n", entry.word) + table_of(entry.notes());
   }

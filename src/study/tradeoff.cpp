@@ -34,12 +34,6 @@ results::Value value_of(const Scalar& value) {
   return std::visit([](const auto& x) { return results::Value(x); }, value);
 }
 
-/// The number at a path of a summary.
-std::optional<double> number_at(const std::string& path, const results::Value& summary) {
-  const auto verdicts = casefile::judge({.criteria = {{.path = path, .above = 0}}}, summary, 0);
-  return verdicts.front().got;
-}
-
 class Tradeoff final : public Analysis {
  public:
   explicit Tradeoff(const Scene& scene)
@@ -210,12 +204,13 @@ class Tradeoff final : public Analysis {
     if (const results::Value* message = summary.find("message"); message && message->words()) {
       row.message = *message->words();
     }
-    row.value = number_at(keys_.quantity, summary);
-    row.section_evaluations = number_at("cost.section_evaluations", summary).value_or(0);
-    row.cpu = number_at("cost.cpu_s", summary).value_or(0);
+    row.value = casefile::number_at(keys_.quantity, summary);
+    row.section_evaluations = casefile::number_at("cost.section_evaluations", summary).value_or(0);
+    row.cpu = casefile::number_at("cost.cpu_s", summary).value_or(0);
     outcome.cost.section_evaluations += static_cast<std::uint64_t>(row.section_evaluations);
-    outcome.cost.section_sweeps += static_cast<std::uint64_t>(number_at("cost.section_sweeps", summary).value_or(0));
-    outcome.cost.steps += static_cast<std::uint64_t>(number_at("cost.steps", summary).value_or(0));
+    outcome.cost.section_sweeps +=
+        static_cast<std::uint64_t>(casefile::number_at("cost.section_sweeps", summary).value_or(0));
+    outcome.cost.steps += static_cast<std::uint64_t>(casefile::number_at("cost.steps", summary).value_or(0));
     return row;
   }
 

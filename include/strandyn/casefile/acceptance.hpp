@@ -48,6 +48,9 @@ struct Verdict {
 /// One verdict per entry. A path that leads nowhere fails with a text; nothing is thrown.
 std::vector<Verdict> judge(const Acceptance& acceptance, const results::Value& summary, int exit_code);
 
+/// The number at a path of a summary; empty where there is none.
+std::optional<double> number_at(const std::string& path, const results::Value& summary);
+
 /// What is wrong with the spelling of a path, or nothing.
 std::optional<std::string> find_path_fault(std::string_view path);
 

@@ -15,6 +15,15 @@ constexpr auto words_of(WireShape) {
 
 namespace strandyn::casefile {
 
+/// `accuracy`: the errors [-] of the dissipation that have a word.
+struct NamedError {
+  const char* name;
+  double value;
+};
+inline constexpr std::array named_errors = {NamedError{"fast", 0.1}, NamedError{"balanced", 0.02},
+                                            NamedError{"reference", 0.002}};
+inline constexpr double least_target_error = 1e-4, largest_target_error = 0.5;
+
 using conductor::WireShape;
 using strandyn::Control;
 using strandyn::Dimension;

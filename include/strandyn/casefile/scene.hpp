@@ -69,6 +69,9 @@ struct Span {
   MassMatrix mass = MassMatrix::consistent;
   bool rotary_inertia = false;
   bool condense_axial = false;
+  /// Where the program chooses the elements: of a loop of the highest mode that is asked for. No key; a target of
+  /// accuracy gives it. Empty: 10, and as many loops as the twelfth mode has at least.
+  std::optional<double> elements_per_loop;
 
   /// [m] between the supports, along the corners if there are any.
   double total_length() const;
@@ -130,6 +133,7 @@ struct Integrator {
 
 struct Scene {
   std::string title;                   ///< the file's name unless said
+  std::optional<Scalar> accuracy;      ///< as the file says it; see `target_error`
   std::optional<Conductor> conductor;  ///< may be empty for the laws that need none
   Section section;
   std::optional<Span> span;  ///< may be empty for the analyses of a section
@@ -158,6 +162,9 @@ struct Scene {
     return std::get<T>(analysis);
   }
 };
+
+/// [-] the error of the dissipation that the case asks for, by a word or a number; empty where it asks for none.
+std::optional<double> target_error(const Scene& scene);
 
 /// [N] tension of the span, given as such or by rated strength; empty where an unstressed length sets it.
 std::optional<double> span_tension(const Scene& scene);

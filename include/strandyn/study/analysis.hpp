@@ -37,6 +37,9 @@ struct Cost {
   std::uint64_t residual_evaluations = 0, jacobian_evaluations = 0;
   std::uint64_t section_evaluations = 0, section_sweeps = 0;
   std::uint64_t newton_iterations = 0;
+
+  /// The counts of work that belongs to the same run; its time is among the run's already.
+  void add(const Cost& part);
 };
 template <class V>
 void members(V& v, Cost& c) {
