@@ -22,8 +22,10 @@ struct Order {
 };
 double richardson(double difference, std::optional<double> before, const Order& order) {
   constexpr double sure = 1.5, unsure = 3, unknown = 2.5;
-  if (!before || !(difference > 0)) return unknown * difference / (std::exp2(order.expected) - 1);
+  if (!before || !(std::max(difference, *before) > 0)) return unknown * difference / (std::exp2(order.expected) - 1);
   const double seen = std::log2(*before / difference);
+  // Two runs may agree by chance: on both sides of a resonance, for one.
+  difference = std::max(difference, *before / std::exp2(order.highest));
   const double safety = seen >= order.expected - 0.5 ? sure : unsure;
   return safety * difference / (std::exp2(std::clamp(seen, order.least, order.highest)) - 1);
 }
@@ -114,11 +116,14 @@ double Stretch::apart(const Result& a, const Result& b) {
 }
 
 std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
+  // Near a resonance a step four times as long detunes too much to judge a mesh by.
+  const bool resonates = scene_.is<casefile::ForcedAnalysis>();
   constexpr int fewest_steps = 40;
+  const bool many_steps = setting.steps_per_cycle >= fewest_steps;
+  const int slow = many_steps && !resonates ? 4 : 2;
   constexpr Order in_time{.least = 2, .highest = 2, .expected = 2};
   constexpr Order in_space{.least = 1.5, .highest = 4, .expected = 2};
   constexpr double by_points_alone = 1.5;
-  const int slow = setting.steps_per_cycle >= fewest_steps ? 4 : 2;
   const auto with = [&](int elements_over, int steps_over, int points) -> const Result& {
     return run({.elements = std::max(setting.elements / elements_over, 1),
                 .steps_per_cycle = std::max(setting.steps_per_cycle / steps_over, 4),
@@ -126,7 +131,7 @@ std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
   };
   const int p = setting.points;
   const std::optional<int> finer = slips_ ? finer_points(p) : std::nullopt;
-  const std::array<const Result*, 2> by_time = {&with(2, 1, p), &with(2, 2, p)};
+  const std::array<const Result*, 3> by_time = {&with(2, 1, p), &with(2, 2, p), &with(2, many_steps ? 4 : 2, p)};
   const std::array<const Result*, 3> by_mesh = {&with(1, slow, p), &with(2, slow, p), &with(4, slow, p)};
   const std::array<const Result*, 2> by_points = {&with(4, slow, p), &with(4, slow, finer.value_or(p))};
   for (const auto& [at, result] : results_) {
@@ -140,7 +145,7 @@ std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
   estimate.section_evaluations = static_cast<double>(cost_.section_evaluations);
   if (!(size > 0) && !best.dissipation.empty()) return estimate;  // nothing moves
   const std::optional<double> before_in_time =
-      slow == 4 ? std::optional(apart(*by_time[1], *by_mesh[1])) : std::nullopt;
+      many_steps ? std::optional(apart(*by_time[1], *by_time[2])) : std::nullopt;
   estimate.time = richardson(apart(*by_time[0], *by_time[1]), before_in_time, in_time) / size;
   estimate.mesh = richardson(apart(*by_mesh[0], *by_mesh[1]), apart(*by_mesh[1], *by_mesh[2]), in_space) / size;
   if (finer) estimate.points = by_points_alone * apart(*by_points[0], *by_points[1]) / size;
