@@ -141,11 +141,12 @@ class Accurate final : public Analysis {
     const double points = points_are_free() && finer ? estimate.points.value_or(0) : 0;
     const double largest = std::max({mesh, time, points});
     if (largest == 0) return false;
-    // As much finer as a part of order two has to become, if it alone is to make up for all that is too much.
+    // As much finer as a part of order two has to become, if it alone is to make up for all that is too much; errors of
+    // the mesh are of higher order.
     const double wanted = std::isfinite(largest) ? (estimate.relative() - target_) / largest : 1;
     const double factor = std::clamp(1 / std::sqrt(std::max(1 - 1.1 * wanted, 0.01)), 1.15, 2.5);
     if (mesh == largest) {
-      setting_.elements = static_cast<int>(std::ceil(setting_.elements * std::min(factor, 2.0)));
+      setting_.elements = static_cast<int>(std::ceil(setting_.elements * std::clamp(std::sqrt(factor), 1.2, 1.5)));
     } else if (time == largest) {
       setting_.steps_per_cycle = 2 * static_cast<int>(std::ceil(setting_.steps_per_cycle * factor / 2));
     } else {
