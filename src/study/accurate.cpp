@@ -14,7 +14,8 @@ using casefile::Scene;
 namespace {
 
 constexpr int most_rounds = 12;
-constexpr int most_elements = 20000, most_steps = 5000;
+constexpr int most_finer =
+    4;  // times the elements and the steps begun with: beyond, the run says what it has not reached
 
 /// `chosen` of summary.json: the keys that the case has left to the program.
 struct ChosenKeys {
@@ -126,6 +127,7 @@ class Accurate final : public Analysis {
     if (elements_are_free()) meshed.span->elements_per_loop = 2.6 / std::pow(target_, 0.14);
     const auto elements = static_cast<int>(build::build_span(meshed).model.elements.size());
     setting_.elements = elements_are_free() ? std::max(elements, 8) : elements;
+    first_ = setting_;
   }
 
   void choose(const Setting& setting) {
@@ -135,8 +137,9 @@ class Accurate final : public Analysis {
 
   /// Refines what gives the largest part of the error, of what the case has left open. False where nothing is left.
   bool refine(const ErrorEstimate& estimate) {
-    const double mesh = elements_are_free() && setting_.elements < most_elements ? estimate.mesh : 0;
-    const double time = steps_are_free() && setting_.steps_per_cycle < most_steps ? estimate.time : 0;
+    const double mesh = elements_are_free() && setting_.elements < most_finer * first_.elements ? estimate.mesh : 0;
+    const double time =
+        steps_are_free() && setting_.steps_per_cycle < most_finer * first_.steps_per_cycle ? estimate.time : 0;
     const std::optional<int> finer = finer_points(setting_.points);
     const double points = points_are_free() && finer ? estimate.points.value_or(0) : 0;
     const double largest = std::max({mesh, time, points});
@@ -168,7 +171,7 @@ class Accurate final : public Analysis {
   double target_;
   Scene scene_;  ///< without what is chosen
   Scene chosen_;
-  Setting setting_;
+  Setting first_, setting_;
   std::unique_ptr<Analysis> inner_;
 };
 
