@@ -22,7 +22,8 @@ struct Order {
 };
 double richardson(double difference, std::optional<double> before, const Order& order) {
   constexpr double sure = 1.5, unsure = 3, unknown = 2.5;
-  if (!before || !(std::max(difference, *before) > 0)) return unknown * difference / (std::exp2(order.expected) - 1);
+  if (!before || !std::isfinite(*before) || !(std::max(difference, *before) > 0))
+    return unknown * difference / (std::exp2(order.expected) - 1);
   const double seen = std::log2(*before / difference);
   // Two runs may agree by chance: on both sides of a resonance, for one.
   difference = std::max(difference, *before / std::exp2(order.highest));

@@ -9,6 +9,7 @@
 /// so that nothing is run as fine as the run itself but in one of the two. Of a decay |.| is that of the sum of its
 /// cycles or, where errors of both signs cancel in it, the root of the sum of squares. The parts are added up.
 
+#include <cmath>
 #include <compare>
 #include <map>
 #include <optional>
@@ -44,11 +45,17 @@ struct ErrorEstimate {
 };
 template <class V>
 void members(V& v, ErrorEstimate& e) {
-  v.value("relative", e.relative(), {.what = "of the dissipation: the sum of its parts", .shown = "estimated error"});
+  // Infinite where a coarser run has failed: no number.
+  const auto known = [](double x) { return std::isfinite(x) ? std::optional(x) : std::nullopt; };
+  v.value(
+      "relative", known(e.relative()),
+      {.what = "of the dissipation: the sum of its parts; a part that could not be estimated is absent, and so is this",
+       .shown = "estimated error"});
   v.value("target", e.target, {.what = "that the case asks for"});
-  v.value("mesh", e.mesh, {.what = "by the elements"});
-  v.value("time", e.time, {.what = "by the steps"});
-  v.value("points", e.points, {.what = "by the points of a section; absent where no wires slip"});
+  v.value("mesh", known(e.mesh), {.what = "by the elements"});
+  v.value("time", known(e.time), {.what = "by the steps"});
+  v.value("points", known(e.points.value_or(INFINITY)),
+          {.what = "by the points of a section; absent where no wires slip"});
   v.value("section_evaluations", e.section_evaluations, {.what = "that the estimate took, among those of `cost`"});
 }
 

@@ -14,8 +14,8 @@ using casefile::Scene;
 namespace {
 
 constexpr int most_rounds = 12;
-constexpr int most_finer =
-    4;  // times the elements and the steps begun with: beyond, the run says what it has not reached
+/// Times the elements and the steps begun with; beyond, the run says what it has not reached.
+constexpr int most_finer = 4;
 
 /// `chosen` of summary.json: the keys that the case has left to the program.
 struct ChosenKeys {
@@ -60,6 +60,11 @@ void members(V& v, AccuracySummary& s) {
   v.record("chosen", s.chosen, {.what = "what the program has chosen for the accuracy, by key"});
 }
 
+/// The next even number: half as many steps are run, too.
+int even(double x) {
+  return 2 * static_cast<int>(std::ceil(x / 2));
+}
+
 class Accurate final : public Analysis {
  public:
   explicit Accurate(const Scene& asked) : asked_(asked), target_(*casefile::target_error(asked)), scene_(asked) {
@@ -90,17 +95,11 @@ class Accurate final : public Analysis {
       if (estimate->relative() <= target_ || !refine(*estimate)) break;
     }
     estimate->target = target_;
-    choose(setting_);
+    if (setting_ != first_) choose(setting_);
     inner_->run(hooks, outcome);
     outcome.cost.add(stretch.cost());
     outcome.tell(AccuracySummary{.estimate = estimate, .chosen = chosen_keys()});
-    if (estimate->relative() > target_) {
-      outcome.warnings.push_back(
-          fmt::format("the dissipation may be off by {:.2g} %, and {:.2g} % were asked for: mesh {:.2g}, steps {:.2g}, "
-                      "points {:.2g} %{}",
-                      100 * estimate->relative(), 100 * target_, 100 * estimate->mesh, 100 * estimate->time,
-                      100 * estimate->points.value_or(0), keeps_a_knob() ? "; the case sets some of them itself" : ""));
-    }
+    if (estimate->relative() > target_) outcome.warnings.push_back(words_of(*estimate));
   }
 
  private:
@@ -108,15 +107,26 @@ class Accurate final : public Analysis {
   bool elements_are_free() const { return !asked_.span->elements; }
   bool steps_are_free() const { return is_free("integrator.steps_per_cycle"); }
   bool points_are_free() const { return is_free("section.points") && slips_by_points(asked_.section.law); }
+  std::string words_of(const ErrorEstimate& estimate) const {
+    const char* kept = keeps_a_knob() ? "; the case sets some of them itself" : "";
+    if (!std::isfinite(estimate.relative())) {
+      return fmt::format(
+          "what the dissipation is off by is not known: half the elements or half the steps cannot be run{}", kept);
+    }
+    return fmt::format(
+        "the dissipation may be off by {:.2g} %, and {:.2g} % were asked for: mesh {:.2g}, steps {:.2g}, points {:.2g} "
+        "%{}",
+        100 * estimate.relative(), 100 * target_, 100 * estimate.mesh, 100 * estimate.time,
+        100 * estimate.points.value_or(0), kept);
+  }
   bool keeps_a_knob() const { return !elements_are_free() || !steps_are_free() || !points_are_free(); }
 
   /// What has met the target on many scenes.
   void begin() {
-    const auto even = [](double x) { return 2 * static_cast<int>(std::ceil(x / 2)); };
     setting_.steps_per_cycle = even(6.5 / std::sqrt(target_));
     if (scene_.is<casefile::ForcedAnalysis>()) {
       // The step lowers frequencies by the share 3.3/s^2. Against a damping ratio z that detunes a resonance, whose
-      // amplitude falls by (3.3/(s^2 z))^2/2 and whose friction by three times as much.
+      // amplitude at the crest falls by (3.3/(s^2 z))^2/2 and whose friction by three times as much.
       constexpr double damping_ratio = 4e-3;  // of ordinary self-damping
       setting_.steps_per_cycle =
           std::max(setting_.steps_per_cycle, even(std::sqrt(3.3 / damping_ratio) * std::pow(1.5 / target_, 0.25)));
@@ -149,9 +159,10 @@ class Accurate final : public Analysis {
     const double wanted = std::isfinite(largest) ? (estimate.relative() - target_) / largest : 1;
     const double factor = std::clamp(1 / std::sqrt(std::max(1 - 1.1 * wanted, 0.01)), 1.15, 2.5);
     if (mesh == largest) {
-      setting_.elements = static_cast<int>(std::ceil(setting_.elements * std::clamp(std::sqrt(factor), 1.2, 1.5)));
+      const auto elements = static_cast<int>(std::ceil(setting_.elements * std::clamp(std::sqrt(factor), 1.2, 1.5)));
+      setting_.elements = std::min(elements, most_finer * first_.elements);
     } else if (time == largest) {
-      setting_.steps_per_cycle = 2 * static_cast<int>(std::ceil(setting_.steps_per_cycle * factor / 2));
+      setting_.steps_per_cycle = std::min(even(setting_.steps_per_cycle * factor), most_finer * first_.steps_per_cycle);
     } else {
       setting_.points = *finer;
     }

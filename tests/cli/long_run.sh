@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A run of many cycles takes no more memory than one of some thousands, and to go on from its checkpoint does not either.
 . "$(dirname "$0")/support.sh"
-export ASAN_OPTIONS=quarantine_size_mb=1  # else what is freed counts as held, where there are sanitizers
+export ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}quarantine_size_mb=1  # else what is freed counts as held, where there are sanitizers
 cat > "$scratch/case.toml" <<'CASE'
 [section]
 law = "elastic"

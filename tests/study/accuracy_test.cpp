@@ -1,6 +1,7 @@
 // What `accuracy` promises: mesh, steps and points that meet the target, and an estimate that covers the error.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "strandyn/study/run_case.hpp"
@@ -81,6 +82,28 @@ TEST_CASE("accuracy: what the user sets is kept, and said where it costs the tar
   CHECK(number_at("chosen.integrator.steps_per_cycle", result.summary));
   CHECK(number_at("error_estimate.mesh", result.summary).value() > 0.005);
   CHECK(warns_of_error(result));
+}
+
+TEST_CASE("accuracy: an error that cannot be estimated is no number, and the run says so") {
+  // Half of ten elements have no eighth mode.
+  const Scene scene = span_scene(decay, {"accuracy=\"fast\"", "span.elements=10", "analysis.mode=8"});
+  const study::CaseResult result = study::run_case(scene);
+  CHECK(result.summary.find("cycles"));
+  CHECK_FALSE(number_at("error_estimate.relative", result.summary));
+  CHECK_FALSE(number_at("error_estimate.mesh", result.summary));
+  CHECK(number_at("error_estimate.target", result.summary).value() == 0.1);
+  CHECK(std::ranges::any_of(result.warnings, [](const std::string& warning) {
+    return warning.find("is off by is not known") != std::string::npos;
+  }));
+}
+
+TEST_CASE("accuracy: steps are refined four times at most, and what is not reached is said") {
+  // 650 are begun with.
+  const study::CaseResult result = study::run_case(with_accuracy("1e-4", {"span.length_m=3", "analysis.mode=1"}));
+  const double steps = number_at("chosen.integrator.steps_per_cycle", result.summary).value();
+  CHECK(steps >= 650);
+  CHECK(steps <= 4 * 650);
+  CHECK(warns_of_error(result) == (number_at("error_estimate.relative", result.summary).value() > 1e-4));
 }
 
 TEST_CASE("accuracy: where nothing is lost there is no error, and nothing is refined") {

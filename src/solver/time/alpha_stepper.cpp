@@ -74,6 +74,7 @@ bool AlphaStepper::shorten_rotations() {
 void AlphaStepper::archive(Archive& a) {
   a(time_, length_, multiples_, whole_, rejected_steps_);
   a(h_, now_, a_, starting_, rate_, patience_, factors_, factored_, newton_iterations_);
+  if (factored_ != 0 && !factors_.fit(K_)) throw FileError("the factors of its matrix are another system's");
   if (a.reads()) check_steps();
 }
 
@@ -87,7 +88,6 @@ void AlphaStepper::check_steps() const {
       behind <= start + rounding() && start <= time_ + rounding() && time_ <= next_multiple() + rounding();
   if (!parted || !placed || !(h_ > 0))
     throw InputError("its numbers do not belong together: it stands where no step of this run ends");
-  if (factored_ != 0 && !factors_.fit(K_)) throw FileError("the factors of its matrix are another system's");
 }
 
 /// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.
