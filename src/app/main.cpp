@@ -62,13 +62,27 @@ int main(int argc, char** argv) {
   run->add_flag("--json", arguments.json, "print summary.json to standard output");
   run->add_flag("--quiet", arguments.quiet, "no progress and no tables");
   run->add_flag("--resume", arguments.resume,
-                "go on from the checkpoint that [integrator] checkpoint_every_s has left in the results folder");
+                "go on from what the results folder has: finished points of a study, or the checkpoint of [integrator] "
+                "checkpoint_every_s");
+  run->add_option(
+      "--shard", arguments.shard,
+      "compute one part of a study, I/N (2/3: the second of three), in a folder of its own; `merge` puts the "
+      "parts together");
   run->add_flag("--report", arguments.report, "make the page report.html, too");
   run->callback([&] { verb = [&] { return app::run(arguments); }; });
 
-  add_case_verb(program, "check", "read and validate a case, run nothing", arguments)->callback([&] {
-    verb = [&] { return app::check(arguments.file, arguments.overrides); };
-  });
+  app::MergeArguments merging;
+  CLI::App* merge = program.add_subcommand("merge", "put the shards of a study together");
+  merge->add_option("DIR", merging.folders, "the folders that `run --shard` wrote, all of one study")->required();
+  merge->add_option("--out", merging.run.out, "results folder (default: results/<case name>)");
+  merge->add_flag("--json", merging.run.json, "print summary.json to standard output");
+  merge->add_flag("--quiet", merging.run.quiet, "no progress and no tables");
+  merge->add_flag("--report", merging.run.report, "make the page report.html, too");
+  merge->callback([&] { verb = [&] { return app::merge(merging); }; });
+
+  CLI::App* check = add_case_verb(program, "check", "read and validate a case, run nothing", arguments);
+  check->add_option("--shard", arguments.shard, "whether the case can be run in this part, I/N");
+  check->callback([&] { verb = [&] { return app::check(arguments); }; });
   CLI::App* describe = add_case_verb(
       program, "describe", "the resolved case in SI units, what will be modelled, the expected cost", arguments);
   describe->add_flag("--json", arguments.json, "print JSON instead of words");

@@ -13,6 +13,7 @@
 #include "strandyn/results/folder.hpp"
 #include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
+#include "strandyn/study/shard.hpp"
 #include "streams.hpp"
 #include "verbs.hpp"
 
@@ -50,37 +51,60 @@ void print_results(const study::CaseResult& result) {
   if (!result.verdicts.empty()) print("\n{}", verdict_table(result.verdicts));
 }
 
-/// Progress, plans and warnings go to standard error.
-study::Hooks hooks_of(const RunArguments& arguments, const std::filesystem::path& folder, report::Progress& progress) {
-  return {.stop = interrupted,
-          .progress = [&](double part, std::string_view what) { progress.update(part, what); },
-          .announce =
-              [quiet = arguments.quiet](std::string_view what) {
-                if (!quiet) tell("{}\n", what);
-              },
-          .folder = folder,
-          .resume = arguments.resume,
-          .warn = [](std::string_view what) { tell("warning: {}\n", what); }};
+/// What is going to be said while it runs goes to standard error.
+study::Hooks speaking(study::Hooks hooks, const RunArguments& arguments, report::Progress& progress) {
+  hooks.stop = interrupted;
+  hooks.progress = [&](double part, std::string_view what) { progress.update(part, what); };
+  hooks.announce = [quiet = arguments.quiet](std::string_view what) {
+    if (!quiet) tell("{}\n", what);
+  };
+  hooks.warn = [](std::string_view what) { tell("warning: {}\n", what); };
+  return hooks;
+}
+
+/// results/<case name>, the shard in it where there is one.
+std::filesystem::path folder_of(const RunArguments& arguments, const std::optional<study::Shard>& shard) {
+  if (!arguments.out.empty()) return arguments.out;
+  std::string name = arguments.file.stem().string();
+  if (shard) name += fmt::format(".shard-{}-of-{}", shard->number, shard->of);
+  return std::filesystem::path("results") / name;
 }
 
 }  // namespace
 
 ExitCode run(const RunArguments& arguments) {
   const casefile::Scene scene = read_noted(arguments.file, arguments.overrides);
-  study::prepare(scene);  // a case that cannot run leaves no folder
-  const std::filesystem::path folder =
-      arguments.out.empty() ? std::filesystem::path("results") / arguments.file.stem() : arguments.out;
+  const auto analysis = study::prepare(scene);  // a case that cannot run leaves no folder
+  std::optional<study::Shard> shard;
+  if (!arguments.shard.empty()) {
+    shard = study::parse_shard(arguments.shard);
+    study::require_shards(scene, *analysis, *shard);
+  }
+  const std::filesystem::path folder = folder_of(arguments, shard);
+  if (shard && arguments.resume) study::require_own_folder(folder, *shard);
   results::create_folder(folder);
-  const std::vector<std::string> earlier = results::files_of_earlier_run(folder);
-  watch_for_interrupt();
-
-  report::Progress progress({.out = &std::cerr, .terminal = report::stderr_is_terminal(), .quiet = arguments.quiet});
+  if (shard) {
+    const study::CaseText source{
+        .file = arguments.file.string(), .text = results::read_file(arguments.file), .overrides = arguments.overrides};
+    study::note_shard(folder, *shard, source, *analysis);
+  } else {
+    std::filesystem::remove(folder / study::shard_name);  // what comes is the whole
+  }
   if (arguments.resume && !arguments.quiet) {
     const std::filesystem::path kept = folder / study::resumes_from(scene);
     const bool there = std::filesystem::exists(kept);
     tell("{} {}\n", there ? "resuming from" : "starting from the beginning: there is no", kept.string());
   }
-  const study::CaseResult result = study::run_case(scene, hooks_of(arguments, folder, progress));
+  return run_into(folder, scene, arguments,
+                  {.stop = {}, .progress = {}, .folder = folder, .resume = arguments.resume, .shard = shard});
+}
+
+ExitCode run_into(const std::filesystem::path& folder, const casefile::Scene& scene, const RunArguments& arguments,
+                  const study::Hooks& how) {
+  const std::vector<std::string> earlier = results::files_of_earlier_run(folder);
+  watch_for_interrupt();
+  report::Progress progress({.out = &std::cerr, .terminal = report::stderr_is_terminal(), .quiet = arguments.quiet});
+  const study::CaseResult result = study::run_case(scene, speaking(how, arguments, progress));
   progress.finish();
   write_results(folder, earlier, result);
   std::error_code ignored;  // a checkpoint that stays does no harm

@@ -12,6 +12,7 @@
 #include "strandyn/results/json.hpp"
 #include "strandyn/study/reference.hpp"
 #include "strandyn/study/run_case.hpp"
+#include "strandyn/study/shard.hpp"
 #include "streams.hpp"
 
 namespace strandyn::app {
@@ -40,11 +41,12 @@ casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<
   return scene;
 }
 
-ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const casefile::Scene scene = read_noted(file, overrides);
-  study::prepare(scene);
+ExitCode check(const RunArguments& arguments) {
+  const casefile::Scene scene = read_noted(arguments.file, arguments.overrides);
+  const auto analysis = study::prepare(scene);
+  if (!arguments.shard.empty()) study::require_shards(scene, *analysis, study::parse_shard(arguments.shard));
   warn(scene);
-  print("{}: in order ({}, {} analysis)\n", file.string(), scene.title, casefile::word_of(scene.analysis));
+  print("{}: in order ({}, {} analysis)\n", arguments.file.string(), scene.title, casefile::word_of(scene.analysis));
   return ExitCode::done;
 }
 

@@ -7,6 +7,7 @@
 
 #include "strandyn/casefile/scene.hpp"
 #include "strandyn/core/error.hpp"
+#include "strandyn/study/analysis.hpp"
 
 namespace strandyn::app {
 
@@ -18,6 +19,12 @@ struct RunArguments {
   bool quiet = false;
   bool resume = false;  ///< from the checkpoint in the results folder
   bool report = false;  ///< make the page, too
+  std::string shard;    ///< I/N: a part of a study; empty: all of it
+};
+
+struct MergeArguments {
+  std::vector<std::filesystem::path> folders;  ///< of the shards
+  RunArguments run;                            ///< where and how to say the results; no case file
 };
 
 struct VerifyArguments {
@@ -31,7 +38,12 @@ struct VerifyArguments {
 casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 ExitCode run(const RunArguments& arguments);
-ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+/// Puts the shards of a study together.
+ExitCode merge(const MergeArguments& arguments);
+/// Of `run` and `merge`: the run of a scene into a folder that is there, its results written and said.
+ExitCode run_into(const std::filesystem::path& folder, const casefile::Scene& scene, const RunArguments& arguments,
+                  const study::Hooks& how);
+ExitCode check(const RunArguments& arguments);
 ExitCode describe(const RunArguments& arguments);
 ExitCode conductors(const std::string& name);
 ExitCode schema(bool of_results);

@@ -20,6 +20,7 @@ struct LogLine {
   std::optional<std::string> study{};
   std::optional<std::size_t> point{};
   std::optional<PointRow> row{};
+  std::optional<LossTable> table{};
   std::optional<bool> finished{};
 };
 template <class V>
@@ -27,6 +28,7 @@ void members(V& v, LogLine& l) {
   v.value("study", l.study, {.what = "which study the points belong to"});
   v.value("point", l.point, {.what = "the number of the point"});
   v.record("row", l.row, {.what = "the point"});
+  v.record("table", l.table, {.what = "the losses of a section at a tension"});
   v.value("finished", l.finished, {.what = "the study has come to its end"});
 }
 
@@ -83,7 +85,11 @@ PointLog::PointLog(const LogOptions& options, const std::vector<Point>& points) 
   if (options.folder.empty()) return;
   path_ = options.folder / log_name;
   if (options.resume && std::filesystem::exists(path_)) read(points);
-  write();
+  if (options.read_only) {
+    path_.clear();
+  } else {
+    write();
+  }
 }
 
 void PointLog::read(const std::vector<Point>& points) {
@@ -100,6 +106,7 @@ void PointLog::read(const std::vector<Point>& points) {
     const bool head = line && line->study == study_;
     if (number == 1 && !head) {
       rows_.clear();
+      tables_.clear();
       dropped_ = static_cast<std::size_t>(std::ranges::count(rest, '\n'));
       fault_ = fmt::format(
           "{}: its first line does not name this study as this program would: all points are computed "
@@ -109,12 +116,15 @@ void PointLog::read(const std::vector<Point>& points) {
     }
     if (line && line->finished) {
       rows_.clear();
+      tables_.clear();
       return;
     }
     const bool whole =
         line && line->point && *line->point < points.size() && line->row && belongs(*line->row, points[*line->point]);
+    const bool whole_table = line && line->table && line->table->is_sound();
     if (whole) rows_[*line->point] = *line->row;
-    if (whole || (number == 1 && head)) continue;
+    if (whole_table) tables_[line->table->tension] = *line->table;
+    if (whole || whole_table || (number == 1 && head)) continue;
     if (bad++ == 0) first_bad = number;
   }
   dropped_ = bad;
@@ -130,6 +140,7 @@ void PointLog::write() {
   file_.close();
   std::string text = text_of({.study = study_}, study_);
   for (const auto& [point, row] : rows_) text += text_of({.point = point, .row = row}, study_);
+  for (const auto& [tension, table] : tables_) text += text_of({.table = table}, study_);
   if (finished_) text += text_of({.finished = true}, study_);
   results::write_file(path_, text);
   file_.open(path_, std::ios::app | std::ios::binary);
@@ -137,9 +148,17 @@ void PointLog::write() {
 
 void PointLog::add(std::size_t point, const PointRow& row) {
   rows_[point] = row;
-  if (path_.empty()) return;
-  file_ << text_of({.point = point, .row = row}, study_) << std::flush;
-  if (!file_) throw FileError(fmt::format("{}: a finished point could not be written", path_.string()));
+  if (!path_.empty()) append(text_of({.point = point, .row = row}, study_), "a finished point");
+}
+
+void PointLog::add(const LossTable& table) {
+  tables_[table.tension] = table;
+  if (!path_.empty()) append(text_of({.table = table}, study_), "a table");
+}
+
+void PointLog::append(const std::string& line, const char* what) {
+  file_ << line << std::flush;
+  if (!file_) throw FileError(fmt::format("{}: {} could not be written", path_.string(), what));
 }
 
 void PointLog::finish() {

@@ -32,6 +32,8 @@ constexpr std::array entries = {
 
 }  // namespace
 
+void Method::begin(const std::vector<Point>&, const Beginning&) {}
+
 std::unique_ptr<Method> make_method(DampingMethod word, const Scene& scene) {
   return std::ranges::find(entries, word, &Entry::word)->make(scene);
 }

@@ -87,25 +87,41 @@ Quadrature::Quadrature(const Scene& scene)
       surroundings_(build::surroundings(scene)),
       law_(build::build_law(scene, section::Dimension::planar)) {}
 
-void Quadrature::begin(const std::vector<Point>& all) {
+void Quadrature::begin(const std::vector<Point>& all, const Beginning& how) {
   const std::vector<Point> points = points_of_quadrature(scene_, all);
-  const std::vector<double> tensions = distinct_tensions(points);
+  std::vector<double> tensions = distinct_tensions(points);
+  if (how.tensions) {
+    std::erase_if(tensions,
+                  [&](double tension) { return std::ranges::find(*how.tensions, tension) == how.tensions->end(); });
+  }
   std::vector<std::optional<SectionalLoss>> losses(tensions.size());
-  side_by_side(tensions.size(), [&](std::size_t i) {
-    CurvatureRange range{.lowest = INFINITY, .highest = 0};
-    for (const Point& point : points) {
-      if (point.tension != tensions[i]) continue;
-      const CurvatureRange chi = curvatures_of(scene_, numbers_, mass_, point);
-      range.lowest = std::min(range.lowest, chi.lowest);
-      range.highest = std::max(range.highest, chi.highest);
-    }
-    const SectionState state = {.axial_strain = tensions[i] / numbers_.EA, .EI_max = numbers_.EI_max};
-    losses[i].emplace(*law_, state, range);
-  });
+  side_by_side(tensions.size(), [&](std::size_t i) { losses[i] = loss_table(tensions[i], points, how); });
   for (std::size_t i = 0; i < tensions.size(); ++i) {
     tables_.push_back(
         {.tension = tensions[i], .loss = std::move(*losses[i]), .material = build::material_loss(scene_, tensions[i])});
   }
+}
+
+SectionalLoss Quadrature::loss_table(double tension, const std::vector<Point>& points, const Beginning& how) const {
+  CurvatureRange range{.lowest = INFINITY, .highest = 0};
+  for (const Point& point : points) {
+    if (point.tension != tension) continue;
+    const CurvatureRange chi = curvatures_of(scene_, numbers_, mass_, point);
+    range.lowest = std::min(range.lowest, chi.lowest);
+    range.highest = std::max(range.highest, chi.highest);
+  }
+  if (how.find) {
+    if (const std::optional<LossTable> kept = how.find(tension, range)) return SectionalLoss(*kept);
+  }
+  SectionalLoss loss(*law_, {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max}, range);
+  if (how.keep) {
+    LossTable table = loss.table();
+    table.tension = tension;
+    table.lowest = range.lowest;
+    table.highest = range.highest;
+    how.keep(table);
+  }
+  return loss;
 }
 
 const Quadrature::Table& Quadrature::table_of(double tension) const {

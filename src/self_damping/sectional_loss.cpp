@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+
+#include "strandyn/core/side_by_side.hpp"
 
 namespace strandyn::self_damping {
 
@@ -15,6 +18,10 @@ namespace {
 /// what a sine loses below is nothing (its cube and more).
 constexpr double above_onset = 1e-3;
 constexpr double below_lowest = 1.0 / 32;
+
+/// So many loops go through the law in one piece, whatever the number of cores: whole registers of it, so that each
+/// loop has the same neighbours, and the same bits, as in one batch of all.
+constexpr std::size_t together = 16;
 
 /// A batch of points at one axial strain.
 class Batch {
@@ -111,16 +118,23 @@ std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vec
 std::vector<ClosedLoop> closed_loops(const section::Law& law, const SectionState& state,
                                      std::span<const double> amplitudes, const LossOptions& options,
                                      section::Effort& effort) {
-  std::vector<double> lost(amplitudes.size(), 0.0);
-  Batch batch(law, state.axial_strain, amplitudes);
-  batch.bend(0, -1, options.steps / 2, lost);
-  batch.bend(-1, 1, options.steps, lost);
-  std::ranges::fill(lost, 0.0);
-  batch.bend(1, -1, options.steps, lost);
-  const std::vector<double> moments = batch.moments();
-  std::vector<ClosedLoop> loops;
-  for (std::size_t i = 0; i < lost.size(); ++i) loops.push_back({.loss = 2 * lost[i], .moment = -moments[i]});
-  effort += batch.effort();
+  const std::size_t pieces = (amplitudes.size() + together - 1) / together;
+  std::vector<ClosedLoop> loops(amplitudes.size());
+  std::vector<section::Effort> efforts(pieces);
+  side_by_side(pieces, [&](std::size_t piece) {
+    const std::size_t first = piece * together;
+    const auto own = amplitudes.subspan(first, std::min(together, amplitudes.size() - first));
+    std::vector<double> lost(own.size(), 0.0);
+    Batch batch(law, state.axial_strain, own);
+    batch.bend(0, -1, options.steps / 2, lost);
+    batch.bend(-1, 1, options.steps, lost);
+    std::ranges::fill(lost, 0.0);
+    batch.bend(1, -1, options.steps, lost);
+    const std::vector<double> moments = batch.moments();
+    for (std::size_t i = 0; i < own.size(); ++i) loops[first + i] = {.loss = 2 * lost[i], .moment = -moments[i]};
+    efforts[piece] = batch.effort();
+  });
+  for (const section::Effort& own : efforts) effort += own;
   return loops;
 }
 
@@ -154,6 +168,33 @@ SectionalLoss::SectionalLoss(const section::Law& law, const SectionState& state,
   fill(law, state, options);
 }
 
+SectionalLoss::SectionalLoss(const LossTable& table)
+    : onset_(table.onset),
+      sticking_(table.sticking),
+      effort_{.evaluations = table.evaluations, .sweeps = table.sweeps} {
+  for (std::size_t i = 0; i < table.places.size(); ++i) insert(table.places[i], table.losses[i], table.secants[i]);
+  if (!place_.empty()) slope_ = monotone_slopes(place_, value_);
+}
+
+LossTable SectionalLoss::table() const {
+  return {.onset = onset_,
+          .sticking = sticking_,
+          .places = place_,
+          .losses = losses_,
+          .secants = secants_,
+          .evaluations = effort_.evaluations,
+          .sweeps = effort_.sweeps};
+}
+
+bool LossTable::is_sound() const {
+  const auto finite = [](double x) { return std::isfinite(x); };
+  const std::size_t knots = places.size();
+  return finite(onset) && onset >= 0 && finite(sticking) && std::ranges::all_of(places, finite) &&
+         std::ranges::all_of(losses, finite) && std::ranges::all_of(secants, finite) && losses.size() == knots &&
+         secants.size() == knots && knots != 1 &&
+         std::ranges::adjacent_find(places, std::greater_equal<>()) == places.end();
+}
+
 void SectionalLoss::fill(const section::Law& law, const SectionState& state, const LossOptions& options) {
   std::vector<std::array<double, 2>> intervals;
   for (std::size_t i = 0; i + 1 < place_.size(); ++i) intervals.push_back({place_[i], place_[i + 1]});
@@ -179,15 +220,17 @@ void SectionalLoss::add_knots(const section::Law& law, const SectionState& state
   std::vector<double> amplitudes(places.size());
   std::ranges::transform(places, amplitudes.begin(), [this](double u) { return onset_ + std::exp(u); });
   const std::vector<ClosedLoop> loops = closed_loops(law, state, amplitudes, options, effort_);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const auto at = std::ranges::lower_bound(place_, places[i]) - place_.begin();
-    place_.insert(place_.begin() + at, places[i]);
-    amplitudes_.insert(amplitudes_.begin() + at, amplitudes[i]);
-    losses_.insert(losses_.begin() + at, loops[i].loss);
-    secants_.insert(secants_.begin() + at, loops[i].moment / amplitudes[i]);
-    value_.insert(value_.begin() + at, std::log(std::max(loops[i].loss, std::numeric_limits<double>::min())));
-  }
+  for (std::size_t i = 0; i < places.size(); ++i) insert(places[i], loops[i].loss, loops[i].moment / amplitudes[i]);
   slope_ = monotone_slopes(place_, value_);
+}
+
+void SectionalLoss::insert(double place, double loss, double secant) {
+  const auto at = std::ranges::lower_bound(place_, place) - place_.begin();
+  place_.insert(place_.begin() + at, place);
+  amplitudes_.insert(amplitudes_.begin() + at, onset_ + std::exp(place));
+  losses_.insert(losses_.begin() + at, loss);
+  secants_.insert(secants_.begin() + at, secant);
+  value_.insert(value_.begin() + at, std::log(std::max(loss, std::numeric_limits<double>::min())));
 }
 
 double SectionalLoss::value_at(double place) const {

@@ -90,10 +90,30 @@ const char* status_word(ExitCode code) {
   return code == ExitCode::interrupted ? "interrupted" : "failed";
 }
 
+/// Which part of a study a summary is of.
+struct ShardRow {
+  std::size_t number = 0, of = 0, all = 0;
+  std::vector<std::size_t> own{};
+};
+template <class V>
+void members(V& v, ShardRow& r) {
+  v.value("number", r.number, {.what = "of the shard, from 1"});
+  v.value("of", r.of, {.what = "how many shards there are"});
+  v.value("points_of_study", r.all, {.what = "how many points, or settings, the study has in all"});
+  v.value("own", r.own, {.what = "the numbers of those that are the shard's, from 1"});
+}
+
+ShardRow row_of(const Shard& shard, const Pieces& pieces) {
+  ShardRow row{.number = shard.number, .of = shard.of, .all = pieces.count()};
+  for (const std::size_t place : pieces.share(shard)) row.own.push_back(place + 1);
+  return row;
+}
+
 /// What all summaries have in common.
 struct Frame {
   std::string title, status, message;
   Program program;
+  std::optional<ShardRow> shard{};
   build::SectionNumbers section;
   Cost cost;
   std::vector<std::string> warnings, files;
@@ -109,6 +129,7 @@ void members(V& v, Frame& f) {
   v.value("message", f.message, {.what = "why it is not done"});
   v.record("program", f.program, {.what = "what has computed this"});
   v.value("case", "", {.what = "the case as run: every key with its value"});
+  v.record("shard", f.shard, {.what = "which part of a study this is; absent where it is the whole"});
   v.record("section", f.section, {.what = "the numbers of the section"});
   v.record("cost", f.cost, {.what = "what it took"});
   v.value("warnings", f.warnings, {.what = "what to know before a number is used"});
@@ -161,6 +182,7 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   CaseResult result;
   result.summary = frame(scene, *analysis);
   result.warnings = scene.warnings;
+  if (hooks.shard) result.summary.set("shard", results::to_value(row_of(*hooks.shard, *analysis->pieces())));
   try {
     analysis->run(hooks, result);
   } catch (const Interrupted& stopped) {
@@ -174,7 +196,7 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   Value& s = result.summary;
   s.set("cost", results::to_value(result.cost));
   s.set("warnings", list_of(result.warnings));
-  judge_acceptance(scene, result);
+  if (!hooks.shard) judge_acceptance(scene, result);  // it speaks of the whole study
   s.set("warnings", list_of(result.warnings));
   s.set("status", status_word(result.exit_code));
   if (!result.message.empty()) s.set("message", result.message);

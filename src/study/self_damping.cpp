@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
-#include <mutex>
 #include <numbers>
 
 #include "entries.hpp"
+#include "march.hpp"
 #include "outlook.hpp"
-#include "strandyn/core/side_by_side.hpp"
 #include "strandyn/section/return_map.hpp"
 #include "strandyn/self_damping/balance.hpp"
 #include "strandyn/self_damping/compare.hpp"
@@ -18,67 +18,12 @@ namespace strandyn::study {
 
 using casefile::DampingMethod;
 using casefile::Scene;
-using self_damping::Method;
 using self_damping::Point;
 using self_damping::PointLog;
 using self_damping::PointRow;
 using self_damping::Quadrature;
 
 namespace {
-
-using Methods = std::map<DampingMethod, std::unique_ptr<Method>>;
-
-/// The points that are left to do, on all cores; every one that ends is in the log at once.
-class March {
- public:
-  March(const Scene& scene, const Hooks& hooks, const Methods& methods, const std::vector<Point>& points, PointLog& log)
-      : scene_(scene), hooks_(hooks), methods_(methods), points_(points), log_(log) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!log.rows().contains(i)) left_.push_back(i);
-    }
-  }
-
-  void run() {
-    tell();
-    side_by_side(left_.size(), [this](std::size_t i) { compute(left_[i]); });
-  }
-
- private:
-  bool stop() {
-    const std::lock_guard lock(mutex_);
-    return hooks_.stop && hooks_.stop();
-  }
-
-  void compute(std::size_t i) {
-    if (stop()) return;
-    const self_damping::Watch watch = {.stop = [this] { return stop(); },
-                                       .tell =
-                                           [this](const std::string& words) {
-                                             const std::lock_guard lock(mutex_);
-                                             tell(", " + words);
-                                           }};
-    const std::optional<PointRow> row = compute_row(scene_, *methods_.at(points_[i].method), points_[i], watch);
-    if (!row) return;
-    const std::lock_guard lock(mutex_);
-    log_.add(i, *row);
-    tell();
-  }
-
-  void tell(const std::string& more = {}) const {
-    if (!hooks_.progress) return;
-    const std::size_t done = log_.rows().size();
-    hooks_.progress(static_cast<double>(done) / static_cast<double>(points_.size()),
-                    fmt::format("point {} of {}{}", done, points_.size(), more));
-  }
-
-  const Scene& scene_;
-  const Hooks& hooks_;
-  const Methods& methods_;
-  const std::vector<Point>& points_;
-  PointLog& log_;
-  std::vector<std::size_t> left_;
-  std::mutex mutex_;
-};
 
 struct RecomputedPoints {
   std::size_t points = 0;
@@ -244,7 +189,16 @@ bool needs_quadrature(const casefile::SelfDampingAnalysis& keys) {
          });
 }
 
-class SelfDamping final : public Analysis {
+/// What a shard tells: its points, and nothing that speaks of all.
+struct ShardSummary {
+  std::vector<PointRow> points;
+};
+template <class V>
+void members(V& v, ShardSummary& s) {
+  v.list("points", s.points, {.what = "the points of the shard"});
+}
+
+class SelfDamping final : public Analysis, public Pieces {
  public:
   explicit SelfDamping(const Scene& scene) : scene_(scene), points_(self_damping::points_of(scene)) {
     const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
@@ -274,7 +228,32 @@ class SelfDamping final : public Analysis {
 
   void run(const Hooks& hooks, Outcome& outcome) override;
 
+  const Pieces* pieces() const override { return this; }
+  const char* noun() const override { return "point"; }
+  std::size_t count() const override { return points_.size(); }
+  std::vector<std::size_t> share(const Shard& shard) const override { return share_of(points_, shard); }
+  std::string identity() const override { return self_damping::study_identity(scene_, section::vector_target().name); }
+  Found look(const ShardFolder& shard) const override {
+    const PointLog log = kept_in(shard.folder);
+    Found found{.missing = {}, .fault = log.fault().value_or("")};
+    for (const std::size_t i : share(shard.shard)) {
+      if (!log.rows().contains(i)) found.missing.push_back(i);
+    }
+    return found;
+  }
+  void gather(const std::vector<ShardFolder>& shards, const std::filesystem::path& out) const override {
+    PointLog all({.folder = out, .study = identity()}, points_);
+    for (const ShardFolder& shard : shards) {
+      const PointLog log = kept_in(shard.folder);
+      for (const std::size_t i : share(shard.shard)) all.add(i, log.rows().at(i));
+      for (const auto& [tension, table] : log.tables()) all.add(table);
+    }
+  }
+
  private:
+  PointLog kept_in(const std::filesystem::path& folder) const {
+    return PointLog({.folder = folder, .study = identity(), .resume = true, .read_only = true}, points_);
+  }
   void make(DampingMethod word) {
     if (!methods_.contains(word)) methods_[word] = self_damping::make_method(word, scene_);
   }
@@ -293,36 +272,47 @@ class SelfDamping final : public Analysis {
 };
 
 void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
-  PointLog log({.folder = hooks.folder,
-                .study = self_damping::study_identity(scene_, section::vector_target().name),
-                .resume = hooks.resume},
-               points_);
+  PointLog log({.folder = hooks.folder, .study = identity(), .resume = hooks.resume}, points_);
   if (log.fault() && hooks.warn) hooks.warn(*log.fault());
-  for (const auto& [word, method] : methods_) method->begin(points_);
-  March(scene_, hooks, methods_, points_, log).run();
+  const std::vector<std::size_t> own = share(hooks.shard.value_or(Shard{}));
+  March(scene_, hooks, methods_, points_, log).run(own);
 
   std::vector<PointRow> rows;
   std::size_t failed = 0;
-  for (const auto& [number, row] : log.rows()) {
+  for (const std::size_t i : own) {
+    const auto found = log.rows().find(i);
+    if (found == log.rows().end()) continue;
+    const PointRow& row = found->second;
     rows.push_back(row);
     failed += row.failed ? 1 : 0;
     // From the rows: a study that was interrupted counts like one that was not.
     outcome.cost.section_evaluations += row.section_evaluations.value_or(0);
     outcome.cost.section_sweeps += row.section_sweeps.value_or(0);
   }
-  const bool finished = rows.size() == points_.size();
-  sum_up(rows, finished, outcome);
-  if (log.dropped()) outcome.summary.set("recomputed", results::to_value(RecomputedPoints{.points = *log.dropped()}));
+  const bool finished = rows.size() == own.size();
+  if (hooks.shard) {
+    outcome.tell(ShardSummary{.points = rows});
+    add_point_tables(rows, outcome);
+    for (const auto& [tension, table] : log.tables()) {
+      outcome.cost.section_evaluations += table.evaluations;
+      outcome.cost.section_sweeps += table.sweeps;
+    }
+  } else {
+    sum_up(rows, finished, outcome);
+  }
+  if (log.dropped() && !hooks.merged) {
+    outcome.summary.set("recomputed", results::to_value(RecomputedPoints{.points = *log.dropped()}));
+  }
   if (!finished) {
     outcome.exit_code = ExitCode::interrupted;
     outcome.message =
-        fmt::format("stopped after {} of {} points; --resume goes on from there", rows.size(), points_.size());
+        fmt::format("stopped after {} of {} points; --resume goes on from there", rows.size(), own.size());
     return;
   }
-  log.finish();
+  if (!hooks.shard) log.finish();  // a shard that is asked again has its points at once
   if (failed == 0) return;
   outcome.exit_code = ExitCode::not_converged;
-  outcome.message = fmt::format("{} of {} points failed; each says why in its row", failed, points_.size());
+  outcome.message = fmt::format("{} of {} points failed; each says why in its row", failed, own.size());
 }
 
 void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outcome& outcome) const {

@@ -7,6 +7,7 @@
 #include "entries.hpp"
 #include "strandyn/casefile/echo.hpp"
 #include "strandyn/casefile/read.hpp"
+#include "strandyn/core/checksum.hpp"
 #include "strandyn/results/folder.hpp"
 #include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
@@ -34,7 +35,7 @@ results::Value value_of(const Scalar& value) {
   return std::visit([](const auto& x) { return results::Value(x); }, value);
 }
 
-class Tradeoff final : public Analysis {
+class Tradeoff final : public Analysis, public Pieces {
  public:
   explicit Tradeoff(const Scene& scene)
       : scene_(scene),
@@ -55,6 +56,34 @@ class Tradeoff final : public Analysis {
   }
 
   const Scene* base() const override { return &base_; }
+
+  const Pieces* pieces() const override { return this; }
+  const char* noun() const override { return "setting"; }
+  std::size_t count() const override { return settings_.size(); }
+  std::vector<std::size_t> share(const Shard& shard) const override { return dealt(settings_.size(), shard); }
+  std::string identity() const override {
+    return fmt::format("{:016x}", checksum(results::to_text(casefile::case_as_run(scene_), -1) +
+                                           results::to_text(casefile::case_as_run(base_), -1) +
+                                           results::to_text(program_of_summaries(), -1)));
+  }
+  Found look(const ShardFolder& shard) const override {
+    Found found;
+    for (const std::size_t number : share(shard.shard)) {
+      if (!is_kept(number, shard.folder)) found.missing.push_back(number);
+    }
+    return found;
+  }
+  void gather(const std::vector<ShardFolder>& shards, const std::filesystem::path& out) const override {
+    const std::filesystem::path folder = out / settings_folder;
+    std::filesystem::remove_all(folder);
+    results::create_folder(folder);
+    for (const ShardFolder& shard : shards) {
+      for (const std::size_t number : share(shard.shard)) {
+        const std::filesystem::path kept = file_of(shard.folder / settings_folder, number);
+        if (std::filesystem::exists(kept)) results::write_file(file_of(folder, number), results::read_file(kept));
+      }
+    }
+  }
 
   Outlook outlook() override {
     Outlook all;
@@ -83,21 +112,26 @@ class Tradeoff final : public Analysis {
       results::create_folder(folder);
     }
     TradeoffSummary summary{.quantity = keys_.quantity};
-    for (std::size_t i = 0; i < settings_.size(); ++i) {
+    const std::vector<std::size_t> own = share(hooks.shard.value_or(Shard{}));
+    for (const std::size_t i : own) {
       std::optional<SettingRow> row = run_setting(i, folder, hooks, outcome);
       if (!row) {
         outcome.exit_code = ExitCode::interrupted;
-        outcome.message = fmt::format("interrupted after {} of {} settings; they are kept", i, settings_.size());
+        outcome.message =
+            fmt::format("interrupted after {} of {} settings; they are kept", summary.points.size(), own.size());
         break;
       }
       summary.points.push_back(std::move(*row));
-      if (i > 0 || summary.points.front().value) continue;
+      // What the reference lacks is found by whoever puts the shards together.
+      if (i > 0 || hooks.shard || summary.points.front().value) continue;
       outcome.exit_code = ExitCode::not_converged;
       outcome.message = fmt::format("the reference ({}) has no {}: {}", words_of(settings_.front()), keys_.quantity,
                                     summary.points.front().message.value_or("its summary has no such number"));
       break;
     }
-    sum_up(summary, outcome);
+    if (!hooks.shard) return sum_up(summary, outcome);
+    outcome.tell(summary);
+    add_settings(summary, outcome);
   }
 
  private:
@@ -175,14 +209,15 @@ class Tradeoff final : public Analysis {
   std::optional<SettingRow> run_setting(std::size_t number, const std::filesystem::path& folder, const Hooks& hooks,
                                         Outcome& outcome) const {
     const std::vector<std::size_t>& setting = settings_[number];
-    const std::filesystem::path file = folder / fmt::format("{:03}.json", number);
+    const std::filesystem::path file = file_of(folder, number);
     results::Value summary = results::Value::object();
     const auto fail = [&](const char* why) {
       summary.set("status", "failed");
       summary.set("message", why);
     };
+    std::optional<Scene> read;
     try {
-      const Scene scene = scene_of(setting);
+      const Scene& scene = read.emplace(scene_of(setting));
       if (!folder.empty() && hooks.resume) summary = earlier(file, scene);
       if (summary.empty()) {
         const double from = share_of(0, number), part = share_of(number, number + 1);
@@ -196,6 +231,9 @@ class Tradeoff final : public Analysis {
       }
     } catch (const ComputationError& error) {
       fail(error.what());
+      summary.set("program", program_of_summaries());
+      summary.set("case", casefile::case_as_run(*read));
+      if (!folder.empty()) results::write_json(file, summary);
     } catch (const InputError& error) {  // each value is fine, and not all of them together
       fail(error.what());
     }
@@ -212,6 +250,22 @@ class Tradeoff final : public Analysis {
         static_cast<std::uint64_t>(casefile::number_at("cost.section_sweeps", summary).value_or(0));
     outcome.cost.steps += static_cast<std::uint64_t>(casefile::number_at("cost.steps", summary).value_or(0));
     return row;
+  }
+
+  static std::filesystem::path file_of(const std::filesystem::path& folder, std::size_t number) {
+    return folder / fmt::format("{:03}.json", number);
+  }
+
+  /// Whether the folder has what the setting leaves: its summary, or nothing where the base refuses it.
+  bool is_kept(std::size_t number, const std::filesystem::path& folder) const {
+    try {
+      const Scene scene = scene_of(settings_[number]);
+      if (!earlier(file_of(folder / settings_folder, number), scene).empty()) return true;
+      prepare(scene);
+      return false;
+    } catch (const InputError&) {
+      return true;
+    }
   }
 
   /// The summary in `file` if it is of this program and this very case, else nothing.
@@ -232,7 +286,7 @@ class Tradeoff final : public Analysis {
       measure(steps_back(), keys_.targets, outcome.exit_code == ExitCode::done, summary, outcome);
     }
     outcome.tell(summary);
-    add_settings(outcome);
+    add_settings(summary, outcome);
     add_tables(summary, outcome);
   }
 
@@ -248,14 +302,15 @@ class Tradeoff final : public Analysis {
   }
 
   /// `settings` of each of the points.
-  void add_settings(Outcome& outcome) const {
+  void add_settings(const TradeoffSummary& summary, Outcome& outcome) const {
     const results::Value* points = outcome.summary.find("points");
     results::Value with = results::Value::list();
     for (std::size_t i = 0; i < points->entries().size(); ++i) {
       results::Value point = results::Value::object();
       results::Value settings = results::Value::object();
       for (std::size_t k = 0; k < keys_.knobs.size(); ++k) {
-        settings.set(keys_.knobs[k].key, value_of(keys_.knobs[k].values[settings_[i][k]]));
+        const std::size_t at = settings_[summary.points[i].number][k];
+        settings.set(keys_.knobs[k].key, value_of(keys_.knobs[k].values[at]));
       }
       point.set("settings", std::move(settings));
       point.merge(points->entries()[i]);

@@ -1,8 +1,11 @@
 #include "strandyn/study/verify.hpp"
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 
 #include "strandyn/casefile/read.hpp"
+#include "strandyn/core/side_by_side.hpp"
 #include "strandyn/study/run_case.hpp"
 
 namespace strandyn::study {
@@ -21,6 +24,10 @@ std::vector<std::filesystem::path> case_files(const std::filesystem::path& folde
   return files;
 }
 
+std::string case_name(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  return file.lexically_relative(folder).replace_extension().string();
+}
+
 bool is_asked(const std::string& name, const std::vector<std::string>& names) {
   return names.empty() || std::any_of(names.begin(), names.end(),
                                       [&](const std::string& part) { return name.find(part) != std::string::npos; });
@@ -35,22 +42,32 @@ bool VerifiedCase::passed() const {
 
 std::vector<VerifiedCase> verify_cases(const std::filesystem::path& folder, const std::vector<std::string>& names,
                                        const std::function<void(const std::string&)>& started) {
-  std::vector<VerifiedCase> done;
+  std::vector<std::filesystem::path> files;
   for (const std::filesystem::path& file : case_files(folder)) {
-    const std::string name = file.lexically_relative(folder).replace_extension().string();
-    if (!is_asked(name, names)) continue;
-    VerifiedCase verified{.name = name, .title = {}, .verdicts = {}, .error = {}};
+    if (is_asked(case_name(file, folder), names)) files.push_back(file);
+  }
+  std::vector<std::optional<VerifiedCase>> all(files.size());
+  std::mutex mutex;
+  side_by_side(files.size(), [&](std::size_t i) {
+    VerifiedCase verified{.name = case_name(files[i], folder), .title = {}, .verdicts = {}, .error = {}};
     try {
-      const casefile::Scene scene = casefile::read_scene(file);
-      if (scene.accept.criteria.empty()) continue;
-      if (started) started(name);
+      const casefile::Scene scene = casefile::read_scene(files[i]);
+      if (scene.accept.criteria.empty()) return;
+      if (started) {
+        const std::lock_guard lock(mutex);
+        started(verified.name);
+      }
       verified.title = scene.title;
       verified.verdicts = run_case(scene).verdicts;
     } catch (const std::runtime_error& error) {
       // Input, file and computation errors alike: the other cases still run.
       verified.error = error.what();
     }
-    done.push_back(std::move(verified));
+    all[i] = std::move(verified);
+  });
+  std::vector<VerifiedCase> done;
+  for (std::optional<VerifiedCase>& verified : all) {
+    if (verified) done.push_back(std::move(*verified));
   }
   return done;
 }

@@ -16,6 +16,7 @@
 #include "strandyn/core/stop.hpp"
 #include "strandyn/results/record.hpp"
 #include "strandyn/self_damping/readings.hpp"
+#include "strandyn/self_damping/sectional_loss.hpp"
 
 namespace strandyn::self_damping {
 
@@ -66,12 +67,21 @@ struct Watch {
   std::function<void(const std::string&)> tell = {};  ///< how far it is
 };
 
+/// How a method begins: for which of the points, and what of their shared work is there already.
+struct Beginning {
+  std::optional<std::vector<double>> tensions = {};  ///< [N] for the points of these only; else for all
+  /// The kept table of a tension [N] for a range of curvatures, or nothing. Called from any thread.
+  std::function<std::optional<LossTable>(double tension, const CurvatureRange& range)> find = {};
+  std::function<void(const LossTable&)> keep = {};  ///< hears of each table that was made. Called from any thread
+};
+
 /// Pure once begun: called from several threads at once, one point per call.
 class Method {
  public:
   virtual ~Method() = default;
-  /// Does what the points share.
-  virtual void begin(const std::vector<Point>&) {}
+  /// Does what the points share; what that is depends on all points of the study, whichever of them are to follow.
+  virtual void begin(const std::vector<Point>& points, const Beginning& how);
+  void begin(const std::vector<Point>& points) { begin(points, {}); }
   /// A ComputationError thrown is a failure of the point, not of the study.
   virtual PointResult at(const Point& point, const Watch& watch) const = 0;
   virtual Expected expected(const std::vector<Point>& points) const = 0;

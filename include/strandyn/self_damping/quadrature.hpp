@@ -3,7 +3,8 @@
 /// time is integrated. The metal of the wires and still air come in closed form beside it: pi f E'' chi^2 and the power
 /// of a sine of velocity, the mean over the same lengths. Its tables of the sectional loss, one per tension, are made
 /// for the range of all points of the study and of its energy balances, so that no number depends on what is left to
-/// do.
+/// do, and by which machine: a shard makes those of its own points only, a study that goes on none of those it has
+/// kept.
 
 #include "strandyn/build/losses.hpp"
 #include "strandyn/build/section_law.hpp"
@@ -17,7 +18,8 @@ class Quadrature final : public Method {
  public:
   explicit Quadrature(const casefile::Scene& scene);
 
-  void begin(const std::vector<Point>& points) override;
+  using Method::begin;
+  void begin(const std::vector<Point>& points, const Beginning& how) override;
   PointResult at(const Point& point, const Watch& watch) const override;
   Expected expected(const std::vector<Point>& points) const override;
 
@@ -42,6 +44,7 @@ class Quadrature final : public Method {
 
  private:
   const Table& table_of(double tension) const;
+  SectionalLoss loss_table(double tension, const std::vector<Point>& points, const Beginning& how) const;
 
   const casefile::Scene& scene_;
   build::SectionNumbers numbers_;

@@ -14,9 +14,11 @@
 /// between the knots, straight lines beyond them. The knots of a pass go through the law side by side. Each pass halves
 /// the intervals in whose middle the cubic was off by more than `tolerance`: they gather where a layer begins to slip.
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "strandyn/results/record.hpp"
 #include "strandyn/section/law.hpp"
 
 namespace strandyn::self_damping {
@@ -53,11 +55,43 @@ std::vector<double> loss_per_cycle(const section::Law& law, const SectionState& 
                                    std::span<const double> amplitudes, const LossOptions& options,
                                    section::Effort& effort);
 
+/// A table as a file keeps it: what it was made for, and its knots in the order of their amplitudes.
+struct LossTable {
+  double tension = 0;              ///< [N]
+  double lowest = 0, highest = 0;  ///< [1/m] CurvatureRange
+  double onset = 0;                ///< [1/m]
+  double sticking = 0;             ///< [N m^2]
+  std::vector<double> places{};    ///< [-] ln(chi - chi_on), chi in 1/m
+  std::vector<double> losses{};    ///< [J/m]
+  std::vector<double> secants{};   ///< [N m^2]
+  std::uint64_t evaluations = 0, sweeps = 0;
+
+  /// Of the same length, finite, in rising order: whatever wrote it.
+  bool is_sound() const;
+};
+template <class V>
+void members(V& v, LossTable& t) {
+  v.value("tension_N", t.tension, {.what = "at which the section was bent"});
+  v.value("lowest_per_m", t.lowest, {.what = "the curvatures that the points ask for: from here"});
+  v.value("highest_per_m", t.highest, {.what = "to here"});
+  v.value("onset_per_m", t.onset, {.what = "the curvature up to which nothing is lost"});
+  v.value("sticking_N_m2", t.sticking, {.what = "secant stiffness up to there"});
+  v.value("places", t.places, {.what = "of the knots: logarithms of the curvature beyond the onset"});
+  v.value("losses_J_per_m", t.losses, {.what = "at the knots, per cycle"});
+  v.value("secants_N_m2", t.secants, {.what = "at the knots"});
+  v.value("section_evaluations", t.evaluations, {.what = "what the table took"});
+  v.value("section_sweeps", t.sweeps, {.what = "of these, the ones that marched through the layers"});
+}
+
 class SectionalLoss {
  public:
   /// For amplitudes up to `range.highest`; below `range.lowest` the power law of the first knots goes on.
   SectionalLoss(const section::Law& law, const SectionState& state, const CurvatureRange& range,
                 const LossOptions& options = {});
+  /// The same to the bit from what `table` gave; it must be sound.
+  explicit SectionalLoss(const LossTable& table);
+  /// What a file keeps of it; tension and range are the caller's.
+  LossTable table() const;
 
   double at(double amplitude) const;  ///< [J/m]
   /// [N m^2] at the peak of the loop; below all knots that of the lowest one, or of sticking wires.
@@ -72,6 +106,7 @@ class SectionalLoss {
   void fill(const section::Law& law, const SectionState& state, const LossOptions& options);
   void add_knots(const section::Law& law, const SectionState& state, std::vector<double> places,
                  const LossOptions& options);
+  void insert(double place, double loss, double secant);
   double value_at(double place) const;  ///< v of u
 
   double onset_ = 0;

@@ -10,12 +10,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "strandyn/casefile/scene.hpp"
 #include "strandyn/core/stop.hpp"
 #include "strandyn/results/figure.hpp"
+#include "strandyn/study/pieces.hpp"
 
 namespace strandyn::study {
 
@@ -29,6 +31,9 @@ struct Hooks {
   bool resume = false;  ///< go on from the checkpoint or the finished points in `folder`, if there are any
   /// Of files that are not as they were left: no part of the results, which are those without the damage.
   std::function<void(std::string_view)> warn = {};
+  std::optional<Shard> shard = {};  ///< of an analysis that has pieces: the part to be computed
+  bool merged =
+      false;  ///< what is resumed are the shares of all shards: nothing is computed twice, and nothing says so
 };
 
 struct Cost {
@@ -96,6 +101,8 @@ class Analysis {
   /// The scene whose section the summary tells; null: that which was prepared.
   virtual const casefile::Scene* base() const { return nullptr; }
   virtual Outlook outlook() = 0;
+  /// What can be divided among shards; null where nothing can.
+  virtual const Pieces* pieces() const { return nullptr; }
   virtual void run(const Hooks& hooks, Outcome& outcome) = 0;
 };
 

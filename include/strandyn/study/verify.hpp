@@ -20,7 +20,8 @@ struct VerifiedCase {
 };
 
 /// The cases below `folder` with an [accept] table whose name contains one of `names`, or all if there are none;
-/// sorted. Files of the folder `refused` are left out. `started` hears the name of each case before it runs.
+/// sorted. Files of the folder `refused` are left out. The cases run on all cores; `started` hears the name of each
+/// before it runs, from one thread at a time.
 std::vector<VerifiedCase> verify_cases(const std::filesystem::path& folder, const std::vector<std::string>& names,
                                        const std::function<void(const std::string&)>& started);
 
