@@ -361,7 +361,9 @@ class Tradeoff final : public Analysis, public Pieces {
       cheapest.append(
           joined(values_of(*row.number), {row.target, *row.error, *row.cost_ratio, static_cast<double>(*row.number)}));
     }
-    add_figures(outcome);
+    std::vector<std::string> others = columns({});
+    others.erase(others.begin());
+    add_tradeoff_figures(others, outcome);
     outcome.shown.push_back({.title = "Error and cost of the settings",
                              .table = "tradeoff.csv",
                              .columns = columns({"value", "error", "cost_ratio", "cpu_s", "on_frontier"})});
@@ -371,28 +373,6 @@ class Tradeoff final : public Analysis, public Pieces {
     outcome.tables.push_back({.file = "tradeoff.csv", .table = std::move(all)});
     outcome.tables.push_back({.file = "frontier.csv", .table = std::move(frontier)});
     outcome.tables.push_back({.file = "cheapest.csv", .table = std::move(cheapest)});
-  }
-
-  void add_figures(Outcome& outcome) const {
-    std::vector<std::string> others = columns({});
-    others.erase(others.begin());
-    outcome.figures.push_back({.name = "tradeoff",
-                               .title = "Error against cost",
-                               .table = "tradeoff.csv",
-                               .x = "cost_ratio",
-                               .y = {"error_size"},
-                               .series = std::move(others),
-                               .x_scale = "log",
-                               .y_scale = "log",
-                               .caption = "Each line goes along the first knob; cost in parts of the reference's."});
-    outcome.figures.push_back({.name = "frontier",
-                               .title = "The best at each cost",
-                               .table = "frontier.csv",
-                               .x = "cost_ratio",
-                               .y = {"error_size"},
-                               .x_scale = "log",
-                               .y_scale = "log",
-                               .caption = "Settings that no other one beats in both cost and error."});
   }
 
   const Scene& scene_;

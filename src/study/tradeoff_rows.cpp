@@ -91,4 +91,24 @@ void measure(const std::vector<StepBack>& steps, const std::vector<double>& targ
   }
 }
 
+void add_tradeoff_figures(const std::vector<std::string>& other_knobs, Outcome& outcome) {
+  outcome.figures.push_back({.name = "tradeoff",
+                             .title = "Error against cost",
+                             .table = "tradeoff.csv",
+                             .x = "cost_ratio",
+                             .y = {"error_size"},
+                             .series = other_knobs,
+                             .x_scale = "log",
+                             .y_scale = "log",
+                             .caption = "Each line goes along the first knob; cost in parts of the reference's."});
+  outcome.figures.push_back({.name = "frontier",
+                             .title = "The best at each cost",
+                             .table = "frontier.csv",
+                             .x = "cost_ratio",
+                             .y = {"error_size"},
+                             .x_scale = "log",
+                             .y_scale = "log",
+                             .caption = "Settings that no other one beats in both cost and error."});
+}
+
 }  // namespace strandyn::study

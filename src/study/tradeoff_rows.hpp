@@ -101,4 +101,7 @@ struct StepBack {
 void measure(const std::vector<StepBack>& steps, const std::vector<double>& targets, bool complete,
              TradeoffSummary& summary, Outcome& outcome);
 
+/// Of tradeoff.csv and frontier.csv; a line goes along the first knob, the columns of the others name it.
+void add_tradeoff_figures(const std::vector<std::string>& other_knobs, Outcome& outcome);
+
 }  // namespace strandyn::study

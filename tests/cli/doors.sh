@@ -92,6 +92,8 @@ resumed yes '2s/.*/[[[[[[[[/'
 resumed yes '4s/.*//'
 resumed yes '1s/study/stud/'
 resumed yes '5s/"frequency_Hz":[0-9.]*/"frequency_Hz":7.0/'
+resumed yes '6s/"onset_per_m":[0-9.e+-]*/"onset_per_m":0.5/'
+resumed yes '6s/"table":{.*}}/"table":{}}/'
 sed -e '2s/"self_damping_W_per_m":[0-9.e+-]*/"self_damping_W_per_m":123.0/' -e /finished/d "$scratch/points" \
   > "$scratch/study/points.jsonl"
 expect_code 0 "without --resume" "${study[@]}"

@@ -61,11 +61,7 @@ points = 12
 [span]
 length_m = 6
 elements = 24
-[[load]]
-type = "harmonic-force"
-at_m = 0.3
-amplitude_N = 1
-frequency = "mode 3"
+mass = "consistent"
 [analysis]
 type = "self-damping"
 method = "transient"

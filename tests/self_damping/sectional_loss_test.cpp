@@ -148,3 +148,56 @@ TEST_CASE("the free span of a clamped mode loses what a sine of its curvature lo
     CHECK(lost.mean > *lost.free_span);  // the clamps lose more than a loop does
   }
 }
+
+TEST_CASE("a table that was kept is the table that was made, to the bit, and one that cannot be is found out") {
+  for (const char* law : {"return-map", "compliant"}) {
+    const Curlew curlew(law);
+    const self_damping::SectionalLoss made(*curlew.law, curlew.state, {.lowest = 1e-3, .highest = 0.1});
+    self_damping::LossTable table;
+    REQUIRE(results::RecordReader::fill(table, results::to_value(made.table())) == 0);
+    REQUIRE(table.is_sound());
+    const self_damping::SectionalLoss kept(table);
+    CHECK(kept.onset() == made.onset());
+    CHECK(kept.amplitudes() == made.amplitudes());
+    CHECK(kept.losses() == made.losses());
+    CHECK(kept.effort().evaluations == made.effort().evaluations);
+    CHECK(kept.effort().sweeps == made.effort().sweeps);
+    for (double chi = 1e-5; chi < 1; chi *= 1.07) {
+      CHECK(kept.at(chi) == made.at(chi));
+      CHECK(kept.secant(chi) == made.secant(chi));
+    }
+    REQUIRE(table.places.size() > 4);
+    const auto unsound = [&](auto damage) {
+      self_damping::LossTable other = table;
+      damage(other);
+      return !other.is_sound();
+    };
+    CHECK(unsound([](auto& t) { t.losses.pop_back(); }));
+    CHECK(unsound([](auto& t) { t.secants.push_back(1); }));
+    CHECK(unsound([](auto& t) { t.places[2] = t.places[1]; }));
+    CHECK(unsound([](auto& t) { t.losses[0] = INFINITY; }));
+    CHECK(unsound([](auto& t) { t.onset = -1; }));
+    CHECK(unsound([](auto& t) { t.places.resize(1), t.losses.resize(1), t.secants.resize(1); }));
+  }
+}
+
+TEST_CASE("the loops of a batch have the same bits in any company") {
+  for (const char* law : {"return-map", "compliant", "masing"}) {
+    const Curlew curlew(law);
+    std::vector<double> amplitudes;
+    for (int i = 0; i < 53; ++i) amplitudes.push_back(1e-3 * std::pow(1.1, i));
+    section::Effort effort, parts;
+    const auto all = self_damping::closed_loops(*curlew.law, curlew.state, amplitudes, {}, effort);
+    REQUIRE(all.size() == amplitudes.size());
+    for (std::size_t first = 0; first < amplitudes.size(); first += 8) {
+      const auto own = std::span(amplitudes).subspan(first, std::min<std::size_t>(8, amplitudes.size() - first));
+      const auto some = self_damping::closed_loops(*curlew.law, curlew.state, own, {}, parts);
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        CHECK(some[i].loss == all[first + i].loss);
+        CHECK(some[i].moment == all[first + i].moment);
+      }
+    }
+    CHECK(parts.evaluations == effort.evaluations);
+    CHECK(parts.sweeps == effort.sweeps);
+  }
+}
