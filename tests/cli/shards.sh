@@ -103,6 +103,49 @@ values = [10, 20, 40]
 key = "integrator.method"
 values = ["ida", "generalized-alpha"]
 CASE
+# Settings that fail: beyond buckling there are no modes; and two that each do, but not both together.
+cat > "$scratch/strut.toml" <<'CASE'
+[section]
+law = "elastic"
+EA_N = 4.7e7
+EI_N_m2 = 400
+mass_kg_per_m = 1.97
+[span]
+length_m = 8
+tension_kN = 0
+elements = 20
+right = "roller"
+[[load]]
+type = "static-force"
+at_m = 8
+force_N = 10
+direction = [-1, 0, 0]
+[analysis]
+type = "modes"
+count = 3
+CASE
+cat > "$scratch/failing.toml" <<'CASE'
+[analysis]
+type = "tradeoff"
+base = "strut.toml"
+quantity = "modes[0].frequency_Hz"
+[[analysis.knob]]
+key = "span.elements"
+values = [10, 20]
+[[analysis.knob]]
+key = "load[0].force_N"
+values = [3000, 10]
+CASE
+sed -n '1,/^quantity/p' "$scratch/tradeoff.toml" > "$scratch/refused.toml"
+cat >> "$scratch/refused.toml" <<'CASE'
+[[analysis.knob]]
+key = "span.tension_kN"
+values = [250, 30]
+[[analysis.knob]]
+key = "section.EA_N"
+values = [4e5, 4.7e7]
+CASE
+sed 's/^quantity.*/quantity = "steady.no_such_number"/' "$scratch/tradeoff.toml" > "$scratch/nothing.toml"
 
 # whole NAME [ARGUMENT...], shard NAME I/N [ARGUMENT...], merge NAME I/N...: each in a folder of its own.
 folder() { printf '%s/%s.%s' "$scratch" "$1" "${2//\//-of-}"; }
@@ -148,8 +191,19 @@ divided methods 3
 divided tables 3
 divided bench 2
 divided tradeoff 4
+divided failing 2
+grep -q unstable "$(folder failing merged)/summary.json" || fail "no setting has failed beyond buckling"
+divided refused 3
+grep -q 'would stretch the span' "$(folder refused merged)/summary.json" || fail "no setting was refused"
 [ -e "$(folder tables 1/3)/summary.json" ] || fail "a shard leaves no summary"
 grep -q '"own": ' "$(folder tables 1/3)/summary.json" || fail "the summary of a shard does not say which points are its own"
+
+# A reference without the quantity ends the undivided study at once; the shards do not know of it, the merge does.
+expect_code 3 "nothing to measure, undivided" "$program" run "$scratch/nothing.toml" --quiet --out "$(folder nothing whole)"
+for i in 1 2; do expect_code 0 "nothing to measure, shard $i" shard nothing "$i/2"; done
+expect_code 3 "nothing to measure, merged" merge nothing 1/2 2/2
+diff <(without_times "$(folder nothing whole)/summary.json") <(without_times "$(folder nothing merged)/summary.json") ||
+  fail "other words about a reference without the quantity"
 
 # One point to a shard; more shards than points are refused.
 for i in 1 2 3 4 5 6; do expect_code 0 "one point" shard methods "$i/6"; done
