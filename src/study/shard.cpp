@@ -201,6 +201,11 @@ ShardSet read_shards(const std::vector<std::filesystem::path>& folders) {
 }
 
 void require_complete(const Analysis& analysis, const ShardSet& set) {
+  // No shard notes these, whatever stands in the file.
+  if (!analysis.pieces() || set.of > analysis.pieces()->count()) {
+    throw InputError(fmt::format("{}: is not as a shard leaves it: its case cannot be divided so; run the shard again",
+                                 (set.shards.front().folder / shard_name).string()));
+  }
   const Pieces& pieces = *analysis.pieces();
   if (pieces.identity() != set.identity) {
     throw InputError(

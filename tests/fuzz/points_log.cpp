@@ -75,6 +75,18 @@ std::vector<std::string> seeds() {
   for (const std::size_t count : {std::size_t{0}, std::size_t{2}, points.size()}) {
     const test::ScratchFolder folder;
     self_damping::PointLog log({.folder = folder.path(), .study = identity}, points);
+    if (count > 0) {
+      log.add({.tension = points.front().tension,
+               .lowest = 1e-3,
+               .highest = 0.1,
+               .onset = 1e-4,
+               .sticking = 900,
+               .places = {-9, -7, -5, -2},
+               .losses = {1e-6, 1e-4, 1e-3, 0.1},
+               .secants = {890, 800, 600, 300},
+               .evaluations = 1000,
+               .sweeps = 900});
+    }
     for (std::size_t i = 0; i < count; ++i) {
       PointRow row = row_of(points[i]);
       if (i == 1) {
@@ -90,6 +102,12 @@ std::vector<std::string> seeds() {
       log.add(i, row);
     }
     files.push_back(bytes_of((folder / self_damping::log_name).string()));
+    // Tables are for the quadrature; that they are read is seen here.
+    if (self_damping::PointLog({.folder = folder.path(), .study = identity, .resume = true, .read_only = true}, points)
+            .tables()
+            .empty() != (count == 0)) {
+      throw std::logic_error("a table is lost");
+    }
     log.finish();
     files.push_back(bytes_of((folder / self_damping::log_name).string()));
   }
