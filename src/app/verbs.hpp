@@ -33,7 +33,10 @@ casefile::Scene read_noted(const std::filesystem::path& file, const std::vector<
 ExitCode run(const RunArguments& arguments);
 ExitCode check(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 ExitCode describe(const RunArguments& arguments);
+/// The catalogue as a table, or one conductor of it as the table [conductor] of a case.
 ExitCode conductors(const std::string& name);
+/// The table [conductor] of a CSV file of wires per layer.
+ExitCode import_conductor(const std::filesystem::path& csv);
 ExitCode schema(bool of_results);
 ExitCode verify(const VerifyArguments& arguments);
 /// Hard cases, each with the bound of physics that must hold; `names` after the first select rows.
