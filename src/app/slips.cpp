@@ -42,11 +42,13 @@ std::optional<std::string> find_slip(const CLI::App& program, int argc, const ch
   if (std::ranges::find(verbs, *first) == verbs.end()) {
     return fmt::format("there is no verb `{}`; {}", *first, near_or_all(*first, verbs, "the verbs are"));
   }
-  const std::vector<std::string> known = options_of(*program.get_subcommand(*first));
+  const CLI::App& verb = *program.get_subcommand(*first);
+  const std::vector<std::string> known = options_of(verb);
   for (auto word = first + 1; word != words.end(); ++word) {
     const std::string option = word->substr(0, word->find('='));
     if (!option.starts_with("--") || option == "--") continue;
-    const bool argument = *(word - 1) == "--set" || *(word - 1) == "--out";
+    const CLI::Option* before = verb.get_option_no_throw(*(word - 1));
+    const bool argument = before && before->get_items_expected_max() > 0;
     if (argument || std::ranges::find(known, option) != known.end()) continue;
     return fmt::format("`{}` has no option `{}`; {}", *first, option, near_or_all(option, known, "it knows"));
   }

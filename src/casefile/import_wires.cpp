@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -77,24 +78,34 @@ std::vector<Line> lines_of(const std::string& text, const std::string& name) {
 
 [[noreturn]] void refuse_cell(const Cell& cell, const std::string& key, std::string_view wrong,
                               std::string_view right) {
-  throw InputError(fmt::format("{}: {} = {}: {}; {}", cell.place, key, cell.text, wrong, right));
+  constexpr std::size_t most = 40;
+  const std::string shown = cell.text.size() > most ? cell.text.substr(0, most) + "..." : cell.text;
+  throw InputError(fmt::format("{}: {} = {}: {}; {}", cell.place, key, shown, wrong, right));
 }
 
-bool is_number(const std::string& text) {
+/// As TOML writes it: `+3`, `.5` and `007`, which it does not know, are written out.
+std::string as_toml_number(const Cell& cell, const std::string& key) {
+  const std::string text = cell.text.starts_with('+') ? cell.text.substr(1) : cell.text;
   double x = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, x);
-  return error == std::errc{} && stop == end;
+  if (error != std::errc{} || stop != end || !std::isfinite(x)) {
+    refuse_cell(cell, key, "must be a number", "write it with a decimal point, without a unit");
+  }
+  return fmt::format("{}", x);
 }
 
-/// `3.` and `.5`, which TOML does not know, are written out.
-std::string as_toml_number(const Cell& cell, const std::string& key) {
-  const std::string text = cell.text.starts_with('+') ? cell.text.substr(1) : cell.text;
-  if (!is_number(text)) refuse_cell(cell, key, "must be a number", "write it with a decimal point, without a unit");
-  if (std::ranges::all_of(text, [](char c) { return (c >= '0' && c <= '9') || c == '-'; })) return text;
-  double x = 0;
-  std::from_chars(text.data(), text.data() + text.size(), x);
-  return fmt::format("{}", x);
+std::string as_toml_word(const Cell& cell, const std::string& key) {
+  const bool word = std::ranges::all_of(cell.text, [](char c) { return c >= 'a' && c <= 'z'; });
+  if (!word) refuse_cell(cell, key, "is not a choice", "give round or trapezoidal");
+  return '"' + cell.text + '"';
+}
+
+/// The name of the file without folder and ending, where it can stand between quotes as it is.
+std::string title_of(const std::string& name) {
+  const std::string stem = std::filesystem::path(name).stem().string();
+  const bool plain = std::ranges::all_of(stem, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+  return plain && stem.find_first_not_of(' ') != std::string::npos ? stem : "own conductor";
 }
 
 /// Of one layer: the key-value pairs in the order of the columns, and where each comes from.
@@ -117,7 +128,7 @@ std::vector<Written> layer_of(const Line& line, const std::vector<Cell>& header)
                   {"poisson", fmt::format("{}", metal->poisson), cell.place},
                   {"density_kg_per_m3", fmt::format("{}", metal->density), cell.place}};
     } else {
-      written.push_back({key, key == "shape" ? '"' + cell.text + '"' : as_toml_number(cell, key), cell.place});
+      written.push_back({key, key == "shape" ? as_toml_word(cell, key) : as_toml_number(cell, key), cell.place});
     }
   }
   for (const Written& w : of_metal) {
@@ -164,10 +175,7 @@ std::string import_wires_text(const std::string& text, const std::string& name) 
   const std::vector<Cell>& header = lines[0].cells;
 
   Refusals refusals;
-  const std::string title = std::filesystem::path(name).stem().string();
-  std::string table =
-      fmt::format("[conductor]\ntitle = \"{}\"\n",
-                  title.find_first_of("\"\\") == std::string::npos ? title : std::string("own conductor"));
+  std::string table = fmt::format("[conductor]\ntitle = \"{}\"\n", title_of(name));
   std::map<std::string, std::string> places;
   for (std::size_t j = 0; j + 1 < lines.size(); ++j) {
     const Line& line = lines[j + 1];

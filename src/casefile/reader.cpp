@@ -311,7 +311,7 @@ void Reader::conductor_file(const char* key, Conductor& field, const Plain& spec
     const std::filesystem::path beside = std::filesystem::path(source_.file).parent_path();
     const std::filesystem::path path = beside / name;
     std::error_code status;
-    if (!std::filesystem::exists(path, status)) {
+    if (!std::filesystem::is_regular_file(path, status)) {
       throw FileError(
           fmt::format("{}: {} = \"{}\": there is no file {}; give the name of a file with a [conductor] "
                       "table, as seen from the folder of the case",

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,12 +51,13 @@ class Refusals {
     for (std::size_t begin = 0; begin <= text.size();) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       std::string message = text.substr(begin, end - begin);
-      if (std::ranges::find(messages_, message) == messages_.end()) messages_.push_back(std::move(message));
+      if (seen_.insert(message).second) messages_.push_back(std::move(message));
       begin = end + 1;
     }
   }
 
   std::vector<std::string> messages_;
+  std::set<std::string> seen_;
 };
 
 }  // namespace strandyn::casefile

@@ -195,6 +195,10 @@ TEST_CASE("what is wrong with a CSV of wires is said with file, line, column and
   CHECK(contains(import_refusal("wires;diameter_mm;metal\n1;3,2;ST\n"),
                  "wires.csv:2:3: diameter_mm = 3,2: must be a number"));
   CHECK(contains(import_refusal("wires,diameter_mm,metal\n1,3,2,ST\n"), "4 cells, but the first line names 3 columns"));
+  for (const char* number : {"nan", "inf", "1e999", "0x3", "3 mm"}) {
+    CHECK(contains(import_refusal(std::string("wires,diameter_mm,metal\n1,") + number + ",ST\n"), "must be a number"));
+  }
+  CHECK(contains(import_refusal("wires,diameter_mm,shape\n1,3,ro\"und\n"), "wires.csv:2:5: shape = ro\"und: is not"));
   CHECK(contains(import_refusal("wires,diameter_mm,metal\n1,-3,ST\n"),
                  "wires.csv:2:3: conductor.layer[0].diameter_mm = -3: must be above 0"));
   CHECK(contains(import_refusal("wires,diameter_mm,metal\n1,3,ST\n6,3,ST\n"),
