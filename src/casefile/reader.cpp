@@ -292,9 +292,10 @@ void Reader::catalogue(const char* key, Conductor& field, const Plain& spec) {
     const conductor::CatalogueEntry* entry = conductor::find_entry(name);
     if (!entry) {
       const conductor::CatalogueEntry* near = conductor::near_entry(name);
+      const std::size_t count = conductor::catalogue().size();
       refuse(source_, path_of(key), "is not in the catalogue",
-             fmt::format("{}the catalogue holds {} conductors, `strandyn conductors` lists them",
-                         near ? fmt::format("did you mean `{}`? ", near->name) : "", conductor::catalogue().size()));
+             near ? fmt::format("did you mean `{}`? `strandyn conductors` lists all {}", near->name, count)
+                  : fmt::format("the catalogue holds {} conductors, `strandyn conductors` lists them", count));
     }
     displace_own_conductor(key);
     const Document document = parse_document(entry->text, fmt::format("catalogue `{}`", entry->name), {});

@@ -42,7 +42,11 @@ TEST_CASE("all that is wrong with the keys of a case is told at once, a message 
     CAPTURE(said);
     CHECK(std::ranges::count_if(lines, [&](const std::string& line) { return contains(line, said); }) == 1);
   }
+  const auto number_of = [](const std::string& line) {
+    return std::stoi(line.substr(std::string("case.toml:").size()));
+  };
   for (const std::string& line : lines) CHECK(line.starts_with("case.toml:"));
+  CHECK(std::ranges::is_sorted(lines, {}, number_of));
 }
 
 TEST_CASE("a misspelt key is not said to be missing as well") {

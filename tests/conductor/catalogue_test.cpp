@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "strandyn/conductor/metals.hpp"
 #include "strandyn/conductor/strand.hpp"
 #include "support/check_close.hpp"
 
@@ -217,6 +218,23 @@ TEST_CASE("a mass that the catalogue gives is the mass of the wires, and most ha
   }
   CHECK(printed == 67);
   CHECK(conductor::catalogue().size() >= 100);
+}
+
+TEST_CASE("the constants of the catalogue's wires are those of their metals") {
+  for (const auto& entry : conductor::catalogue()) {
+    const std::string name(entry.name);
+    if (name == "curlew" || name == "steel-1x6") continue;  // the paper's own
+    CAPTURE(name);
+    for (const conductor::Layer& layer : strand_of(parse(entry)).layers) {
+      const bool clad = name.starts_with("ground-acs");
+      const conductor::Metal& metal = *conductor::find_metal(clad                             ? "20SA"
+                                                             : layer.density > lightest_steel ? "ST1A"
+                                                                                              : "AL1");
+      CHECK(layer.young == metal.young);
+      CHECK(layer.poisson == metal.poisson);
+      CHECK(layer.density == metal.density);
+    }
+  }
 }
 
 TEST_CASE("lay directions reverse layer by layer, the outermost is right-hand but for the paper's Curlew") {
