@@ -6,9 +6,12 @@
 #include <filesystem>
 #include <functional>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 
+#include "completion.hpp"
+#include "slips.hpp"
 #include "strandyn/version.hpp"
 #include "streams.hpp"
 #include "verbs.hpp"
@@ -18,8 +21,10 @@ namespace {
 using strandyn::ExitCode;
 namespace app = strandyn::app;
 
+/// A message a line: a case file may have several.
 int report_error(ExitCode code, const char* text) {
-  if (*text != '\0') app::tell("strandyn: {}\n", text);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) app::tell("strandyn: {}\n", line);
   return static_cast<int>(code);
 }
 
@@ -52,8 +57,8 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
 
   app::RunArguments arguments;
-  std::string name;
-  std::filesystem::path folder;
+  std::string name, shell;
+  std::filesystem::path folder, wires;
   bool of_results = false;
   std::function<ExitCode()> verb;
 
@@ -99,12 +104,31 @@ int main(int argc, char** argv) {
   verify->callback([&] { verb = [&] { return app::verify(verification); }; });
 
   CLI::App* conductors = program.add_subcommand("conductors", "the catalogue of conductors");
-  conductors->add_option("NAME", name, "one conductor, in full");
-  conductors->callback([&] { verb = [&] { return app::conductors(name); }; });
+  CLI::Option* one = conductors->add_option("NAME", name, "one conductor, as a table to paste into a case");
+  conductors->add_option("--import", wires, "a CSV file of wires per layer, as a table to paste into a case")
+      ->excludes(one);
+  conductors->callback(
+      [&] { verb = [&] { return wires.empty() ? app::conductors(name) : app::import_conductor(wires); }; });
 
   CLI::App* schema = program.add_subcommand("schema", "JSON Schema of a case file, for editors");
   schema->add_flag("--results", of_results, "what the members of summary.json mean instead, in Markdown");
   schema->callback([&] { verb = [&] { return app::schema(of_results); }; });
+
+  CLI::App* complete =
+      program.add_subcommand("completion", "a script that completes verbs, options and conductors in a shell");
+  complete->add_option("SHELL", shell, "bash, zsh or fish")->required();
+  complete->callback([&] {
+    verb = [&] {
+      app::print_raw(app::completion(program, shell));
+      return ExitCode::done;
+    };
+  });
+  program.add_subcommand("man", "the page of the manual, for man -l")->callback([&] {
+    verb = [&] {
+      app::print_raw(app::manual(program, std::string(strandyn::program_version)));
+      return ExitCode::done;
+    };
+  });
 
   CLI::App* report = program.add_subcommand("report", "turn a results folder into one HTML page and its plots");
   report->add_option("DIR", folder, "results folder")->required();
@@ -115,7 +139,8 @@ int main(int argc, char** argv) {
     try {
       program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-      return answer(program, error);
+      const auto slip = error.get_exit_code() == 0 ? std::nullopt : app::find_slip(program, argc, argv);
+      return slip ? report_error(ExitCode::wrong_input, slip->c_str()) : answer(program, error);
     }
     return static_cast<int>(verb());
   } catch (const strandyn::InputError& error) {

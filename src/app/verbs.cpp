@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "strandyn/casefile/import_wires.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/casefile/schema.hpp"
 #include "strandyn/conductor/catalogue.hpp"
@@ -65,9 +66,7 @@ ExitCode describe(const RunArguments& arguments) {
 ExitCode conductors(const std::string& name) {
   if (!name.empty()) {
     scene_of(as_toml(name));  // refuses an unknown name and says which is near
-    for (const conductor::CatalogueEntry& entry : conductor::catalogue()) {
-      if (entry.name == name) print("{}", entry.text);
-    }
+    print("{}", conductor::case_table(*conductor::find_entry(name)));
     return ExitCode::done;
   }
   using report::Align;
@@ -88,6 +87,11 @@ ExitCode conductors(const std::string& name) {
                    strand.rated_strength / 1e3, c.EA / 1e6, c.EI_min, c.EI_max});
   }
   print("{}", table.str());
+  return ExitCode::done;
+}
+
+ExitCode import_conductor(const std::filesystem::path& csv) {
+  print("{}", casefile::import_wires(csv));
   return ExitCode::done;
 }
 

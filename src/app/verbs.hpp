@@ -45,7 +45,10 @@ ExitCode run_into(const std::filesystem::path& folder, const casefile::Scene& sc
                   const study::Hooks& how);
 ExitCode check(const RunArguments& arguments);
 ExitCode describe(const RunArguments& arguments);
+/// The catalogue as a table, or one conductor of it as the table [conductor] of a case.
 ExitCode conductors(const std::string& name);
+/// The table [conductor] of a CSV file of wires per layer.
+ExitCode import_conductor(const std::filesystem::path& csv);
 ExitCode schema(bool of_results);
 ExitCode verify(const VerifyArguments& arguments);
 /// Hard cases, each with the bound of physics that must hold; `names` after the first select rows.

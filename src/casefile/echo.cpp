@@ -101,6 +101,9 @@ class Echo {
   void catalogue(const char* key, const Conductor& conductor, const Plain& spec) {
     text(key, conductor.catalogue, spec);
   }
+  void conductor_file(const char* key, const Conductor& conductor, const Plain& spec) {
+    text(key, conductor.file, spec);
+  }
 
   void criteria(const char* key, Acceptance& acceptance, const Plain&) {
     if (acceptance.criteria.empty()) return;

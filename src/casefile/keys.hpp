@@ -6,6 +6,7 @@
 ///   number, numbers, vector, rows   one number, a list, three of them, a list of rows of them
 ///   choice, text, flag, scalar      a word of an enum, any text, true or false, any of text, number, true or false
 ///   table, tables, criteria         one table, an array of tables, the [accept] table
+///   catalogue, conductor_file       a conductor that stands elsewhere; the keys that follow lie on top of it
 ///   one_of                          keys that exclude each other
 ///   when                            keys that belong to some choices of an earlier key only
 /// The keys of the span and of what acts on it stand in keys_span.hpp, those of the analyses and of the section beside
@@ -26,11 +27,15 @@ void keys(V& v, LayerKeys& l) {
             .unit = units::mm,
             .above = 0,
             .required = true});
-  v.one_of({"lay_angle_deg", "lay_length_mm"}, {});
+  v.one_of({"lay_angle_deg", "lay_length_mm", "lay_ratio"}, {});
   v.number("lay_angle_deg", l.lay_angle,
            {.help = "the lay angle, right-hand lay positive", .unit = units::deg, .above = -90, .below = 90});
   v.number("lay_length_mm", l.lay_length,
            {.help = "the length of one turn of the lay, right-hand lay positive", .unit = units::mm});
+  v.number(
+      "lay_ratio", l.lay_ratio,
+      {.help = "the lay ratio, the length of one turn over the outer diameter of the layer, right-hand lay positive",
+       .not_zero = true});
   v.number("young_GPa", l.young, {.help = "Young's modulus", .unit = units::GPa, .above = 0, .required = true});
   v.number("poisson", l.poisson, {.help = "Poisson's ratio", .above = -1, .at_most = 0.5});
   v.number("density_kg_per_m3", l.density,
@@ -55,8 +60,9 @@ void keys(V& v, LayerKeys& l) {
 
 template <class V>
 void keys(V& v, Conductor& c) {
-  v.one_of({"catalogue", "layer"}, {.required = true});
+  v.one_of({"catalogue", "file", "layer"}, {.required = true});
   v.catalogue("catalogue", c, {.help = "the name of a conductor of the catalogue"});
+  v.conductor_file("file", c, {.help = "the name of a file beside the case that holds a [conductor] table"});
   v.text("title", c.title, {.help = "what the conductor is"});
   v.text("source", c.source, {.help = "where its numbers come from"});
   v.tables("layer", c.layers, {.help = "one table per layer of wires, core first"});

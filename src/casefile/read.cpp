@@ -1,34 +1,11 @@
 #include "strandyn/casefile/read.hpp"
 
-#include <fmt/format.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
-#include <system_error>
-
 #include "document.hpp"
 #include "reader.hpp"
 #include "resolve.hpp"
-#include "strandyn/core/error.hpp"
+#include "text_file.hpp"
 
 namespace strandyn::casefile {
-namespace {
-
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code status;
-  if (std::filesystem::is_directory(file, status)) {
-    throw FileError(fmt::format("{}: this is a folder; give a case file", file.string()));
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw FileError(fmt::format("{}: cannot be read: {}", file.string(), std::strerror(errno)));
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (stream.bad()) throw FileError(fmt::format("{}: cannot be read to its end", file.string()));
-  return text;
-}
-
-}  // namespace
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   return read_scene_text(read_text(file), file.string(), overrides);
@@ -38,9 +15,11 @@ Scene read_scene_text(std::string_view text, const std::string& name, const std:
   const Document document = parse_document(text, name, overrides);
   Scene scene;
   scene.source = document.source;
-  std::vector<std::string> notes;
-  Reader(document.source, document.root, "", notes).read(scene);
-  scene.notes = std::move(notes);
+  Findings findings;
+  Reader(document.source, document.root, "", findings).read(scene);
+  findings.refusals.tell();
+  scene.notes = std::move(findings.notes);
+  scene.source.entries.merge(findings.places);  // the case's own keys lie on top
   if (scene.title.empty()) scene.title = std::filesystem::path(name).stem().string();
   resolve_scene(scene);
   return scene;

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <system_error>
 
 #include "document.hpp"
 #include "strandyn/conductor/catalogue.hpp"
 #include "strandyn/core/error.hpp"
-#include "words.hpp"
+#include "strandyn/core/near_words.hpp"
+#include "text_file.hpp"
 
 namespace strandyn::casefile {
 
@@ -43,7 +46,7 @@ const toml::node* Reader::under_either_name(const char* key, const char* old_nam
            "remove one of the two");
   }
   if (node && overridden(key)) return node;
-  notes_.push_back(
+  findings_.notes.push_back(
       fmt::format("{}: `{}` is now called `{}`", source_.place(path_of(old_name)), path_of(old_name), path_of(key)));
   return old;
 }
@@ -68,11 +71,11 @@ const toml::node* Reader::take(const char* key, bool required, const std::string
   if (old_name) taken_.insert(old_name);
   if (displaced_.contains(key)) return nullptr;
   const toml::node* node = under_either_name(key, old_name);
-  if (!node && required) refuse(source_, path_of(key), "is missing", remedy);
+  if (!node && required && !refused_.contains(key)) refuse(source_, path_of(key), "is missing", remedy);
   return node;
 }
 
-void Reader::refuse_unknown_keys() const {
+void Reader::refuse_unknown_keys() {
   for (const auto& [key, node] : table_) {
     if (std::ranges::find(known_, key.str()) != known_.end()) continue;
     if (std::ranges::find(old_names_, key.str()) != old_names_.end()) continue;
@@ -81,20 +84,25 @@ void Reader::refuse_unknown_keys() const {
     const std::string remedy =
         near ? fmt::format("did you mean `{}`?", path_of(*near))
              : fmt::format("{} knows {}", path_.empty() ? "a case" : '`' + path_ + '`', list_words(known_));
-    throw InputError(fmt::format("{}: unknown {} `{}`; {}", source_.place(path),
-                                 path_.empty() && !node.is_value() ? "table" : "key", path, remedy));
+    const char* kind = path_.empty() && !node.is_value() ? "table" : "key";
+    attempt(near ? near->c_str() : "",
+            [&] { throw InputError(fmt::format("{}: unknown {} `{}`; {}", source_.place(path), kind, path, remedy)); });
   }
 }
 
-void Reader::refuse_keys_of_other_choices() const {
+void Reader::refuse_keys_of_other_choices() {
   for (const auto& [key, node] : table_) {
     const auto entry = elsewhere_.find(key.str());
     if (entry == elsewhere_.end() || taken_.contains(key.str())) continue;
-    const auto& [selector, chosen, names] = entry->second;
-    if (overridden(selector) && !overridden(key.str())) continue;
-    refuse(source_, path_of(key.str()),
-           fmt::format("belongs to {} = {}, and {} is \"{}\" here", selector, list_words(names, '"'), selector, chosen),
-           fmt::format("remove it or change `{}`", path_of(selector)));
+    const Choices& other = entry->second;
+    if (refused_.contains(other.selector)) continue;
+    if (overridden(other.selector) && !overridden(key.str())) continue;
+    attempt(other.selector.c_str(), [&, name = std::string(key.str())] {
+      refuse(source_, path_of(name),
+             fmt::format("belongs to {} = {}, and {} is \"{}\" here", other.selector, list_words(other.names, '"'),
+                         other.selector, other.chosen),
+             fmt::format("remove it or change `{}`", path_of(other.selector)));
+    });
   }
 }
 
@@ -113,15 +121,18 @@ void Reader::one_of(std::initializer_list<const char*> group, const OneOf& spec)
     present = from_override;
   }
   const std::vector<std::string> names(group.begin(), group.end());
-  if (present.size() > 1) {
-    refuse(source_, path_of(present[1]), fmt::format("excludes `{}`, and both are given", path_of(present[0])),
-           fmt::format("keep one of {}", list_words(names)));
-  }
-  if (present.empty() && spec.required) {
-    const std::string table = path_.empty() ? "the case" : path_;
-    throw InputError(fmt::format("{}: {}: one of {} is missing; give exactly one of them", source_.place(path_), table,
-                                 list_words(names)));
-  }
+  const bool misspelt = std::ranges::any_of(names, [&](const std::string& name) { return refused_.contains(name); });
+  attempt(names.front().c_str(), [&] {
+    if (present.size() > 1) {
+      refuse(source_, path_of(present[1]), fmt::format("excludes `{}`, and both are given", path_of(present[0])),
+             fmt::format("keep one of {}", list_words(names)));
+    }
+    if (present.empty() && spec.required && !misspelt) {
+      const std::string table = path_.empty() ? "the case" : path_;
+      throw InputError(fmt::format("{}: {}: one of {} is missing; give exactly one of them", source_.place(path_),
+                                   table, list_words(names)));
+    }
+  });
 }
 
 std::optional<std::string> Reader::read_number(const toml::node& node, const Number& spec, double& x) {
@@ -133,29 +144,34 @@ std::optional<std::string> Reader::read_number(const toml::node& node, const Num
 }
 
 void Reader::numbers(const char* key, std::vector<double>& field, const Number& spec) {
-  const toml::node* node = take(key, spec.required, "give " + describe(spec));
-  if (!node) return;
-  const std::string path = path_of(key);
-  field.clear();
-  const toml::array* list = node->as_array();
-  if (!list) {
-    field.push_back(to_number(*node, path, spec));
-    return;
-  }
-  if (list->empty()) refuse(source_, path, "must not be empty", "give " + describe(spec));
-  for (const toml::node& element : *list) field.push_back(to_number(element, path + index(field.size()), spec));
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, "give " + describe(spec));
+    if (!node) return;
+    const std::string path = path_of(key);
+    field.clear();
+    const toml::array* list = node->as_array();
+    if (!list) {
+      field.push_back(to_number(*node, path, spec));
+      return;
+    }
+    if (list->empty()) refuse(source_, path, "must not be empty", "give " + describe(spec));
+    for (const toml::node& element : *list) field.push_back(to_number(element, path + index(field.size()), spec));
+  });
 }
 
 void Reader::vector(const char* key, std::optional<Vector3>& field, const Plain& spec) {
-  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
-  if (!node) return;
-  const std::string path = path_of(key);
-  const toml::array* list = node->as_array();
-  if (!list || list->size() != 3) {
-    refuse(source_, path, "must be three numbers", std::string("give ") + spec.help + ", for example [0, 1, 0]");
-  }
-  field.emplace();
-  for (std::size_t i = 0; i < 3; ++i) (*field)[i] = to_number(*list->get(i), path + index(i), {.help = "a component"});
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+    if (!node) return;
+    const std::string path = path_of(key);
+    const toml::array* list = node->as_array();
+    if (!list || list->size() != 3) {
+      refuse(source_, path, "must be three numbers", std::string("give ") + spec.help + ", for example [0, 1, 0]");
+    }
+    field.emplace();
+    for (std::size_t i = 0; i < 3; ++i)
+      (*field)[i] = to_number(*list->get(i), path + index(i), {.help = "a component"});
+  });
 }
 
 std::vector<const toml::array*> Reader::to_rows(const toml::node& node, const std::string& path, std::size_t columns,
@@ -223,78 +239,125 @@ Scalar Reader::to_scalar(const toml::node& node, const std::string& path, const 
 }
 
 void Reader::scalar(const char* key, std::optional<Scalar>& field, const Plain& spec) {
-  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
-  if (node) field = to_scalar(*node, path_of(key), spec);
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+    if (node) field = to_scalar(*node, path_of(key), spec);
+  });
 }
 
 void Reader::scalars(const char* key, std::vector<Scalar>& field, const Plain& spec) {
-  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
-  if (!node) return;
-  const std::string path = path_of(key);
-  const toml::array* list = node->as_array();
-  if (!list || list->empty()) refuse(source_, path, "must be a list", std::string("give ") + spec.help);
-  field.clear();
-  for (const toml::node& element : *list) field.push_back(to_scalar(element, path + index(field.size()), spec));
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+    if (!node) return;
+    const std::string path = path_of(key);
+    const toml::array* list = node->as_array();
+    if (!list || list->empty()) refuse(source_, path, "must be a list", std::string("give ") + spec.help);
+    field.clear();
+    for (const toml::node& element : *list) field.push_back(to_scalar(element, path + index(field.size()), spec));
+  });
 }
 
 void Reader::mode_word(const char* key, std::optional<int>& field, const Plain& spec) {
-  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
-  if (!node) return;
-  const std::string word = node->value_exact<std::string>().value_or("");
-  constexpr std::string_view start = "mode ";
-  int mode = 0;
-  if (word.starts_with(start)) {
-    const char* end = word.data() + word.size();
-    const auto [stop, error] = std::from_chars(word.data() + start.size(), end, mode);
-    if (error != std::errc{} || stop != end) mode = 0;
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+    if (!node) return;
+    const std::string word = node->value_exact<std::string>().value_or("");
+    constexpr std::string_view start = "mode ";
+    int mode = 0;
+    if (word.starts_with(start)) {
+      const char* end = word.data() + word.size();
+      const auto [stop, error] = std::from_chars(word.data() + start.size(), end, mode);
+      if (error != std::errc{} || stop != end) mode = 0;
+    }
+    if (mode < 1) {
+      refuse(source_, path_of(key), "must be \"mode \" and a number of at least 1",
+             fmt::format("write {} = \"mode 12\", or frequency_Hz = 24 for a frequency in hertz", key));
+    }
+    field = mode;
+  });
+}
+
+void Reader::displace_own_conductor(const char* key) {
+  if (!overridden(key)) return;
+  for (const char* own : {"title", "source", "mass_kg_per_m", "rated_strength_kN"}) {
+    if (!overridden(own)) displaced_.insert(own);
   }
-  if (mode < 1) {
-    refuse(source_, path_of(key), "must be \"mode \" and a number of at least 1",
-           fmt::format("write {} = \"mode 12\", or frequency_Hz = 24 for a frequency in hertz", key));
-  }
-  field = mode;
 }
 
 void Reader::catalogue(const char* key, Conductor& field, const Plain& spec) {
-  const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
-  if (!node) return;
-  const std::string name = to_text(*node, path_of(key), spec);
-  std::vector<std::string> names;
-  for (const conductor::CatalogueEntry& entry : conductor::catalogue()) {
-    names.emplace_back(entry.name);
-    if (entry.name != name) continue;
-    if (overridden(key)) {  // what the file says of its own conductor is not said of this one
-      for (const char* own : {"title", "source", "mass_kg_per_m", "rated_strength_kN"}) {
-        if (!overridden(own)) displaced_.insert(own);
-      }
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+    if (!node) return;
+    const std::string name = to_text(*node, path_of(key), spec);
+    const conductor::CatalogueEntry* entry = conductor::find_entry(name);
+    if (!entry) {
+      const conductor::CatalogueEntry* near = conductor::near_entry(name);
+      const std::size_t count = conductor::catalogue().size();
+      refuse(source_, path_of(key), "is not in the catalogue",
+             near ? fmt::format("did you mean `{}`? `strandyn conductors` lists all {}", near->name, count)
+                  : fmt::format("the catalogue holds {} conductors, `strandyn conductors` lists them", count));
     }
-    const Document document = parse_document(entry.text, fmt::format("catalogue `{}`", name), {});
-    Reader(document.source, document.root, "", notes_).read(field);
-    field.catalogue = name;
-    return;
-  }
-  const auto near = near_word(name, names);
-  refuse(source_, path_of(key), "is not in the catalogue",
-         near ? fmt::format("did you mean `{}`? The catalogue holds {}", *near, list_words(names))
-              : fmt::format("the catalogue holds {}", list_words(names)));
+    displace_own_conductor(key);
+    const Document document = parse_document(entry->text, fmt::format("catalogue `{}`", entry->name), {});
+    Reader(document.source, document.root, "", findings_).read(field);
+    field.catalogue = entry->name;
+  });
+}
+
+void Reader::conductor_file(const char* key, Conductor& field, const Plain& spec) {
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, std::string("give ") + spec.help);
+    if (!node) return;
+    const std::string name = to_text(*node, path_of(key), spec);
+    const std::filesystem::path beside = std::filesystem::path(source_.file).parent_path();
+    const std::filesystem::path path = beside / name;
+    std::error_code status;
+    if (!std::filesystem::is_regular_file(path, status)) {
+      throw FileError(
+          fmt::format("{}: {} = \"{}\": there is no file {}; give the name of a file with a [conductor] "
+                      "table, as seen from the folder of the case",
+                      source_.place(path_of(key)), path_of(key), name, path.string()));
+    }
+    displace_own_conductor(key);
+    Document document = parse_document(read_text(path), path.string(), {});
+    const toml::table* own = document.root["conductor"].as_table();
+    const std::string table = own ? "conductor" : "";
+    const toml::table& root = own ? *own : document.root;
+    if (own && document.root.size() > 1) {
+      throw InputError(
+          fmt::format("{}:1:1: holds more than the table [conductor]; leave only that one", path.string()));
+    }
+    if (root.contains("file")) {
+      refuse(document.source, own ? "conductor.file" : "file", "is a file that names another file",
+             "write the layers here, or name a conductor of the catalogue");
+    }
+    Reader(document.source, root, table, findings_).read(field);
+    // What is wrong with the layers together is found later, and told with the places of this file.
+    for (auto& [path_there, entry] : document.source.entries) {
+      findings_.places.emplace(own ? path_there : fmt::format("{}.{}", path_, path_there), entry);
+    }
+    field.file = name;
+  });
 }
 
 void Reader::criteria(const char* key, Acceptance& field, const Plain& spec) {
-  const toml::node* node = take(key, spec.required, table_remedy(key, spec));
-  if (!node) return;
-  for (const auto& [quantity, entry] : to_table(*node, path_of(key))) {
-    const std::string path = fmt::format("{}.{}", path_of(key), spell_key(quantity.str()));
-    const toml::table* table = entry.as_table();
-    const bool nested = table && !table->empty() &&
-                        std::ranges::all_of(*table, [](const auto& child) { return child.second.is_table(); });
-    if (!table || nested) {
-      refuse(source_, path, nested ? "is a path without quotes" : "must be a table",
-             "write \"steady.damping_ratio\" = { below = 0.05, reason = \"...\" }, the path in quotes");
+  attempt(key, [&] {
+    const toml::node* node = take(key, spec.required, table_remedy(key, spec));
+    if (!node) return;
+    for (const auto& [quantity, entry] : to_table(*node, path_of(key))) {
+      const std::string path = fmt::format("{}.{}", path_of(key), spell_key(quantity.str()));
+      const toml::table* table = entry.as_table();
+      const bool nested = table && !table->empty() &&
+                          std::ranges::all_of(*table, [](const auto& child) { return child.second.is_table(); });
+      if (!table || nested) {
+        refuse(source_, path, nested ? "is a path without quotes" : "must be a table",
+               "write \"steady.damping_ratio\" = { below = 0.05, reason = \"...\" }, the path in quotes");
+      }
+      Criterion& criterion = field.criteria.emplace_back();
+      criterion.path = quantity.str();
+      Reader(source_, *table, path, findings_).read(criterion);
     }
-    Criterion& criterion = field.criteria.emplace_back();
-    criterion.path = quantity.str();
-    Reader(source_, *table, path, notes_).read(criterion);
-  }
+  });
 }
 
 }  // namespace strandyn::casefile

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <map>
 #include <set>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "keys.hpp"
+#include "refusals.hpp"
 #include "strandyn/casefile/source.hpp"
 
 namespace strandyn::casefile {
@@ -35,11 +37,18 @@ struct ValueOf<std::optional<T>> {
 template <class T>
 using value_of = typename ValueOf<T>::type;
 
+/// What the readers of a case and of its tables find.
+struct Findings {
+  std::vector<std::string> notes;  ///< of old names that are used
+  Refusals refusals;               ///< of keys; a key that is refused keeps the reader from no other
+  std::map<std::string, Source::Entry, std::less<>> places;  ///< of the keys of a conductor's own file
+};
+
 class Reader {
  public:
-  /// `path` is the key path of the table, empty for the whole file. Old names that are used are told to `notes`.
-  Reader(const Source& source, const toml::table& table, std::string path, std::vector<std::string>& notes)
-      : source_(source), table_(table), path_(std::move(path)), notes_(notes) {}
+  /// `path` is the key path of the table, empty for the whole file.
+  Reader(const Source& source, const toml::table& table, std::string path, Findings& findings)
+      : source_(source), table_(table), path_(std::move(path)), findings_(findings) {}
 
   /// Reads the table: first which keys it knows, so that a slip of the pen is named before what it leaves missing.
   template <class T>
@@ -56,15 +65,17 @@ class Reader {
   template <class T>
   void number(const char* key, T& field, Number spec) {
     spec.whole = std::is_same_v<value_of<T>, int>;
-    const toml::node* node = take(key, spec.required, "give " + describe(spec));
-    if (!node) return;
-    if constexpr (is_optional<T>) {
-      if (spec.word && node->value<std::string>() == spec.word) {
-        field.reset();
-        return;
+    attempt(key, [&] {
+      const toml::node* node = take(key, spec.required, "give " + describe(spec));
+      if (!node) return;
+      if constexpr (is_optional<T>) {
+        if (spec.word && node->value<std::string>() == spec.word) {
+          field.reset();
+          return;
+        }
       }
-    }
-    field = static_cast<value_of<T>>(to_number(*node, path_of(key), spec));
+      field = static_cast<value_of<T>>(to_number(*node, path_of(key), spec));
+    });
   }
 
   /// A list, or a single number for a list of one.
@@ -75,18 +86,20 @@ class Reader {
   template <std::size_t N>
   void rows(const char* key, std::vector<std::array<double, N>>& field, const std::array<Number, N>& columns,
             const Plain& spec) {
-    const toml::node* node = take(key, spec.required, "give " + std::string(spec.help));
-    if (!node) return;
-    const std::string path = path_of(key);
-    field.clear();
-    for (const toml::array* row : to_rows(*node, path, N, spec)) {
-      const std::size_t i = field.size();
-      std::array<double, N>& values = field.emplace_back();
-      for (std::size_t j = 0; j < N; ++j) {
-        values[j] = to_number(
-            *row->get(j), [&] { return path + index(i) + index(j); }, columns[j]);
+    attempt(key, [&] {
+      const toml::node* node = take(key, spec.required, "give " + std::string(spec.help));
+      if (!node) return;
+      const std::string path = path_of(key);
+      field.clear();
+      for (const toml::array* row : to_rows(*node, path, N, spec)) {
+        const std::size_t i = field.size();
+        std::array<double, N>& values = field.emplace_back();
+        for (std::size_t j = 0; j < N; ++j) {
+          values[j] = to_number(
+              *row->get(j), [&] { return path + index(i) + index(j); }, columns[j]);
+        }
       }
-    }
+    });
   }
 
   template <class T>
@@ -94,56 +107,68 @@ class Reader {
     using E = value_of<T>;
     std::vector<std::string> names;
     for (const auto& named : choices<E>) names.emplace_back(named.name);
-    const toml::node* node = take(key, spec.required, choice_remedy(spec, names), spec.old_name);
-    if (!node) return;
-    const bool by_old_name = spec.old_name && table_.get(spec.old_name) == node;
-    const std::string word = to_choice(*node, path_of(by_old_name ? spec.old_name : key), spec, names);
-    for (const auto& named : choices<E>) {
-      if (named.name == word) field = named.value;
-    }
+    attempt(key, [&] {
+      const toml::node* node = take(key, spec.required, choice_remedy(spec, names), spec.old_name);
+      if (!node) return;
+      const bool by_old_name = spec.old_name && table_.get(spec.old_name) == node;
+      const std::string word = to_choice(*node, path_of(by_old_name ? spec.old_name : key), spec, names);
+      for (const auto& named : choices<E>) {
+        if (named.name == word) field = named.value;
+      }
+    });
   }
 
   template <class T>
   void text(const char* key, T& field, const Plain& spec) {
-    if (const toml::node* node = take(key, spec.required, "give " + std::string(spec.help) + " in quotes")) {
-      field = to_text(*node, path_of(key), spec);
-    }
+    attempt(key, [&] {
+      if (const toml::node* node = take(key, spec.required, "give " + std::string(spec.help) + " in quotes")) {
+        field = to_text(*node, path_of(key), spec);
+      }
+    });
   }
 
   template <class T>
   void flag(const char* key, T& field, const Plain& spec) {
-    if (const toml::node* node = take(key, spec.required, "give true or false")) {
-      field = to_flag(*node, path_of(key), spec);
-    }
+    attempt(key, [&] {
+      if (const toml::node* node = take(key, spec.required, "give true or false")) {
+        field = to_flag(*node, path_of(key), spec);
+      }
+    });
   }
 
   void scalar(const char* key, std::optional<Scalar>& field, const Plain& spec);
   void scalars(const char* key, std::vector<Scalar>& field, const Plain& spec);
   void mode_word(const char* key, std::optional<int>& field, const Plain& spec);
-  /// Reads the entry of the catalogue into `field`; the keys that follow lie on top of it.
+  /// Reads the entry of the catalogue, or the file beside the case, into `field`; the keys that follow lie on top of
+  /// it.
   void catalogue(const char* key, Conductor& field, const Plain& spec);
+  void conductor_file(const char* key, Conductor& field, const Plain& spec);
   void criteria(const char* key, Acceptance& field, const Plain& spec);
 
   template <class T>
   void table(const char* key, T& field, const Plain& spec) {
-    const toml::node* node = take(key, spec.required, table_remedy(key, spec));
-    if (!node) return;
-    if constexpr (is_optional<T>) {
-      Reader(source_, to_table(*node, path_of(key)), path_of(key), notes_).read(field.emplace());
-    } else {
-      Reader(source_, to_table(*node, path_of(key)), path_of(key), notes_).read(field);
-    }
+    attempt(key, [&] {
+      const toml::node* node = take(key, spec.required, table_remedy(key, spec));
+      if (!node) return;
+      if constexpr (is_optional<T>) {
+        Reader(source_, to_table(*node, path_of(key)), path_of(key), findings_).read(field.emplace());
+      } else {
+        Reader(source_, to_table(*node, path_of(key)), path_of(key), findings_).read(field);
+      }
+    });
   }
 
   template <class T>
   void tables(const char* key, std::vector<T>& field, const Plain& spec) {
-    const toml::node* node = take(key, spec.required, table_remedy(key, spec));
-    if (!node) return;
-    field.clear();
-    for (const toml::table* element : to_tables(*node, path_of(key))) {
-      const std::string path = path_of(key) + index(field.size());
-      Reader(source_, *element, path, notes_).read(field.emplace_back());
-    }
+    attempt(key, [&] {
+      const toml::node* node = take(key, spec.required, table_remedy(key, spec));
+      if (!node) return;
+      field.clear();
+      for (const toml::table* element : to_tables(*node, path_of(key))) {
+        const std::string path = path_of(key) + index(field.size());
+        Reader(source_, *element, path, findings_).read(field.emplace_back());
+      }
+    });
   }
 
   void one_of(std::initializer_list<const char*> group, const OneOf& spec);
@@ -152,8 +177,11 @@ class Reader {
   template <class... Kinds>
   void kinds(const char* key, std::variant<Kinds...>& field, const Plain& spec) {
     const std::vector<std::string> names = {std::string(Kinds::word)...};
-    const toml::node* node = take(key, spec.required, choice_remedy(spec, names));
-    const std::string chosen = node ? to_choice(*node, path_of(key), spec, names) : names.front();
+    std::string chosen;  // none of them where the word is refused
+    attempt(key, [&] {
+      const toml::node* node = take(key, spec.required, choice_remedy(spec, names));
+      chosen = node ? to_choice(*node, path_of(key), spec, names) : names.front();
+    });
     (read_kind<Kinds>(key, chosen, field), ...);
   }
 
@@ -163,6 +191,7 @@ class Reader {
     if (mode_ == Mode::read) {
       bool chosen = false;
       for (const E choice : wanted) chosen = chosen || choice == value;
+      chosen = chosen && !refused_.contains(selector);
       if (!chosen) {
         mode_ = Mode::skip;
         skipped_ = {selector, std::string(name_of(value)), {}};
@@ -183,6 +212,12 @@ class Reader {
     std::string chosen;
     std::vector<std::string> names;
   };
+
+  /// Reads a key; what is refused of it is told with all the rest at the end.
+  template <class Read>
+  void attempt(const char* key, Read read_key) {
+    if (!findings_.refusals.hold(read_key)) refused_.insert(key);
+  }
 
   template <class Kind, class Variant>
   void read_kind(const char* selector, const std::string& chosen, Variant& field) {
@@ -211,8 +246,10 @@ class Reader {
   const toml::node* take(const char* key, bool required, const std::string& remedy, const char* old_name = nullptr);
   /// The node under either name; an override wins over the file, and two of a kind are refused.
   const toml::node* under_either_name(const char* key, const char* old_name) const;
-  void refuse_unknown_keys() const;
-  void refuse_keys_of_other_choices() const;
+  void refuse_unknown_keys();
+  void refuse_keys_of_other_choices();
+  /// What the file says of its own conductor is not said of one that the command line puts in its place.
+  void displace_own_conductor(const char* key);
 
   /// `path` is made only where the number is refused: a table may have a hundred thousand rows.
   template <class Path>
@@ -241,12 +278,13 @@ class Reader {
   const Source& source_;
   const toml::table& table_;
   std::string path_;
-  std::vector<std::string>& notes_;
+  Findings& findings_;
   Mode mode_ = Mode::read;
   std::vector<std::string> known_;
   std::vector<std::string> old_names_;
   std::set<std::string, std::less<>> taken_;
   std::set<std::string, std::less<>> displaced_;  ///< keys of the file that an override excludes
+  std::set<std::string, std::less<>> refused_;    ///< keys that were refused, or misspelt: they are not also missing
   Choices skipped_;
   std::map<std::string, Choices, std::less<>> elsewhere_;
 };

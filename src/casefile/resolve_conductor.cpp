@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "refusals.hpp"
 #include "resolve.hpp"
 
 namespace strandyn::casefile {
@@ -38,12 +39,17 @@ double friction_below(const Conductor& conductor, std::size_t j) {
 }
 
 void resolve_lay(const LayerKeys& keys, conductor::Layer& layer, std::size_t j, const Source& source) {
-  if (j == 0 && keys.lay_length) {
-    refuse(source, layer_path(j) + ".lay_length_mm", "is a lay of the core", "remove it: the core is straight");
+  if (j == 0 && (keys.lay_length || keys.lay_ratio)) {
+    refuse(source, layer_path(j) + (keys.lay_length ? ".lay_length_mm" : ".lay_ratio"), "is a lay of the core",
+           "remove it: the core is straight");
   }
-  if (j > 0 && !keys.lay_angle && !keys.lay_length) {
+  if (j > 0 && !keys.lay_angle && !keys.lay_length && !keys.lay_ratio) {
     refuse(source, layer_path(j), "its lay is missing",
-           "give lay_angle_deg or lay_length_mm, 0 degrees for straight wires");
+           "give lay_angle_deg, lay_length_mm or lay_ratio, 0 degrees for straight wires");
+  }
+  if (keys.lay_ratio) {
+    const double outer_diameter = 2 * layer.helix_radius + layer.diameter;
+    layer.lay_angle = conductor::lay_angle_from_length(layer.helix_radius, *keys.lay_ratio * outer_diameter);
   }
   if (!keys.lay_length) return;
   if (*keys.lay_length == 0) {
@@ -72,12 +78,14 @@ void resolve_conductor(Conductor& conductor, const Source& source) {
   strand.name = conductor.catalogue.value_or(conductor.title.value_or("own conductor"));
   for (const LayerKeys& keys : conductor.layers) strand.layers.push_back(layer_of(keys));
   conductor::fill_helix_radii(strand);
+  Refusals refusals;
   for (std::size_t j = 0; j < strand.layers.size(); ++j) {
     conductor::Layer& layer = strand.layers[j];
-    resolve_lay(conductor.layers[j], layer, j, source);
+    refusals.hold([&] { resolve_lay(conductor.layers[j], layer, j, source); });
     layer.friction_inner = friction_below(conductor, j);
     if (!conductor.residual_forces) layer.residual_force = 0;
   }
+  refusals.pass_on();
   refuse_impossible_strand(strand, source);
   strand.rated_strength = conductor.rated_strength.value_or(0.0);
   if (!conductor.mass_per_length) conductor.mass_per_length = strand.geometric_mass();
@@ -88,6 +96,7 @@ void resolve_conductor(Conductor& conductor, const Source& source) {
     const conductor::Layer& layer = strand.layers[j];
     keys.lay_angle = layer.lay_angle;
     keys.lay_length.reset();
+    keys.lay_ratio.reset();
     keys.helix_radius = layer.helix_radius;
     keys.residual_force = layer.residual_force;
     keys.friction_inner = layer.friction_inner;

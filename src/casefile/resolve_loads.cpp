@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "refusals.hpp"
 #include "resolve.hpp"
 #include "strandyn/results/table.hpp"
 
@@ -124,16 +125,21 @@ void resolve_body(Body& body, const std::string& path, const Scene& scene) {
 }
 
 template <class T, class Resolve>
-void resolve_each(std::vector<T>& list, const char* name, const Scene& scene, const Resolve& resolve) {
-  for (std::size_t i = 0; i < list.size(); ++i) resolve(list[i], fmt::format("{}[{}]", name, i), scene);
+void resolve_each(std::vector<T>& list, const char* name, const Scene& scene, Refusals& refusals,
+                  const Resolve& resolve) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    refusals.hold([&] { resolve(list[i], fmt::format("{}[{}]", name, i), scene); });
+  }
 }
 
 }  // namespace
 
 void resolve_loads(Scene& scene) {
-  resolve_each(scene.loads, "load", scene, resolve_load);
-  resolve_each(scene.motions, "motion", scene, resolve_motion);
-  resolve_each(scene.bodies, "body", scene, resolve_body);
+  Refusals refusals;
+  resolve_each(scene.loads, "load", scene, refusals, resolve_load);
+  resolve_each(scene.motions, "motion", scene, refusals, resolve_motion);
+  resolve_each(scene.bodies, "body", scene, refusals, resolve_body);
+  refusals.pass_on();
 }
 
 }  // namespace strandyn::casefile

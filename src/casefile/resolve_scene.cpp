@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "document.hpp"
+#include "refusals.hpp"
 #include "resolve.hpp"
 
 namespace strandyn::casefile {
@@ -227,11 +228,6 @@ void check_analysis(const Scene& scene) {
            "give a [[load]] with type = \"harmonic-force\", or a [[motion]] with type = \"harmonic-motion\", and its "
            "frequency");
   }
-  check_static(scene);
-  check_transient(scene);
-  check_sweep(scene);
-  check_losses(scene);
-  check_self_damping(scene);
 }
 
 void check_criterion(const Criterion& criterion, const Source& source) {
@@ -293,24 +289,39 @@ void check_accuracy(const Scene& scene) {
 }
 
 void check_criteria(const Scene& scene) {
-  for (const Criterion& criterion : scene.accept.criteria) check_criterion(criterion, scene.source);
+  Refusals refusals;
+  for (const Criterion& criterion : scene.accept.criteria) {
+    refusals.hold([&] { check_criterion(criterion, scene.source); });
+  }
+  refusals.pass_on();
+}
+
+/// What needs a sound conductor and a sound span to be told from a consequence of either.
+void check_on_span(Scene& scene, Refusals& refusals) {
+  refusals.hold([&] { resolve_loads(scene); });
+  refusals.hold([&] { fill_laboratory_grid(scene); });
+  for (const auto check :
+       {check_analysis, check_static, check_transient, check_sweep, check_losses, check_self_damping, check_accuracy}) {
+    refusals.hold([&] { check(scene); });
+  }
 }
 
 }  // namespace
 
 void resolve_scene(Scene& scene) {
+  Refusals refusals;
   if (scene.is<TradeoffAnalysis>()) {
-    check_tradeoff(scene);
-    check_criteria(scene);
+    refusals.hold([&] { check_tradeoff(scene); });
+    refusals.hold([&] { check_criteria(scene); });
+    refusals.tell();
     return;
   }
-  check_tables(scene);
-  if (scene.conductor) resolve_conductor(*scene.conductor, scene.source);
-  if (scene.span) check_span(scene);
-  resolve_loads(scene);
-  fill_laboratory_grid(scene);
-  check_analysis(scene);
-  check_accuracy(scene);
+  bool sound = refusals.hold([&] { check_tables(scene); });
+  if (scene.conductor) sound = refusals.hold([&] { resolve_conductor(*scene.conductor, scene.source); }) && sound;
+  if (sound && scene.span) sound = refusals.hold([&] { check_span(scene); });
+  if (sound) check_on_span(scene, refusals);
+  refusals.hold([&] { check_criteria(scene); });
+  refusals.tell();
   Integrator& integrator = scene.integrator;
   // A bench compares small losses: it takes the method that damps least, unless the case names one.
   if (scene.is<SelfDampingAnalysis>() && !scene.source.find("integrator.method")) {
@@ -320,7 +331,6 @@ void resolve_scene(Scene& scene) {
     integrator.steps_per_cycle = default_steps_per_cycle;
   }
   check_plausible(scene);
-  check_criteria(scene);
 }
 
 }  // namespace strandyn::casefile

@@ -118,6 +118,7 @@ class SchemaWriter {
     add(key, {{"type", "string"}, {"pattern", "^mode 0*[1-9][0-9]*$"}}, spec);
   }
   void catalogue(const char* key, const Conductor&, const Plain& spec);
+  void conductor_file(const char* key, const Conductor& field, const Plain& spec) { text(key, field.file, spec); }
 
   void criteria(const char* key, Acceptance&, const Plain& spec) {
     add(key, {{"type", "object"}, {"additionalProperties", write<Criterion>()}}, spec);

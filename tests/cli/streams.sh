@@ -22,7 +22,7 @@ expect_said '"predicted_numerical_damping_ratio": 7.75'
 expect_code 0 "conductors" "$program" conductors
 expect_said "drake"
 expect_code 0 "one conductor" "$program" conductors curlew
-expect_said "[[layer]]"
+expect_said "[[conductor.layer]]"
 expect_code 2 "an unknown conductor" "$program" conductors curlow
 expect_said "curlew"
 expect_code 0 "schema" "$program" schema

@@ -28,6 +28,7 @@ struct LayerKeys {
   double diameter = 0;                 ///< [m]
   std::optional<double> lay_angle;     ///< [rad] signed
   std::optional<double> lay_length;    ///< [m] signed
+  std::optional<double> lay_ratio;     ///< [-] signed, lay length over the outer diameter of the layer
   double young = 0;                    ///< [Pa]
   double poisson = 0.3;                ///< [-]
   double density = 0;                  ///< [kg/m^3] 0: not given
@@ -41,6 +42,7 @@ struct LayerKeys {
 
 struct Conductor {
   std::optional<std::string> catalogue;
+  std::optional<std::string> file;  ///< as written: beside the case
   std::optional<std::string> title;
   std::optional<std::string> source;
   std::vector<LayerKeys> layers;

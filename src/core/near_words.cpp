@@ -1,8 +1,8 @@
-#include "words.hpp"
+#include "strandyn/core/near_words.hpp"
 
 #include <algorithm>
 
-namespace strandyn::casefile {
+namespace strandyn {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   // Row i of the table of distances between the first i letters of a and the first j of b; two rows back for swaps.
@@ -44,4 +44,4 @@ std::string list_words(const std::vector<std::string>& words, char quote) {
   return list;
 }
 
-}  // namespace strandyn::casefile
+}  // namespace strandyn

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace strandyn::casefile {
+namespace strandyn {
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b);
@@ -21,4 +21,4 @@ std::optional<std::string> near_word(std::string_view word, const std::vector<st
 /// "`a`, `b`, `c`"
 std::string list_words(const std::vector<std::string>& words, char quote = '`');
 
-}  // namespace strandyn::casefile
+}  // namespace strandyn

@@ -1,8 +1,8 @@
-#include "../../src/casefile/words.hpp"
+#include "strandyn/core/near_words.hpp"
 
 #include <doctest/doctest.h>
 
-using namespace strandyn::casefile;
+using namespace strandyn;
 
 TEST_CASE("the distance of two words counts slips of the pen") {
   CHECK(edit_distance("span", "span") == 0);
