@@ -26,6 +26,7 @@ System::System(const model::Model& model)
       mass_(model.unknowns(), false),
       drag_(Vector::Zero(static_cast<Eigen::Index>(model.unknowns()))),
       air_on_chain_(model),
+      eccentric_(model),
       material_(model.material, chain_->dimension(), model.elements.size() * gauss_points),
       energy_(model.elements.size() * gauss_points),
       committed_(chain_->dimension(), model.elements.size() * gauss_points),
@@ -236,6 +237,7 @@ void System::subtract_external_tangent(At at, const double* u, Matrix& K) const 
 void System::add_inertia_and_drag(const State& m, double* f) const {
   const Stopwatch::Lap lap(stopwatch_, Part::inertia);
   chain_->add_inertia_force(m, f);
+  eccentric_.add_inertia_force(m.u, m.v, m.a, f);
   if (model_.drag > 0) {
     for (std::size_t i = 0; i < unknowns(); ++i) f[i] += drag_(static_cast<Eigen::Index>(i)) * m.v[i];
   }
@@ -257,6 +259,7 @@ void System::add_inertia_and_drag(const State& m, double* f) const {
 void System::add_inertia_and_drag(const State& m, InertiaFactors factors, Matrix& K) const {
   const Stopwatch::Lap lap(stopwatch_, Part::inertia);
   chain_->add_inertia_tangent(m, factors, K);
+  eccentric_.add_inertia_tangent(m.u, m.v, m.a, factors, K);
   if (model_.drag > 0 && factors.velocity != 0) {
     for (std::size_t i = 0; i < unknowns(); ++i) {
       K.add_at_node(i, i, factors.velocity * drag_(static_cast<Eigen::Index>(i)));
@@ -276,10 +279,11 @@ void System::hold(Matrix& K) const {
 void System::mass_matrix(const double* u, Matrix& M) const {
   M.set_zero();
   chain_->add_mass(u, M);
+  eccentric_.add_mass(u, M);
 }
 
 double System::kinetic_energy(const double* u, const double* v) const {
-  return chain_->kinetic_energy(u, v);
+  return chain_->kinetic_energy(u, v) + eccentric_.kinetic_energy(u, v);
 }
 
 ViscousLoss System::viscous_power(const double* v) const {

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "strandyn/casefile/analysis/axial_torsion.hpp"
+#include "strandyn/casefile/analysis/damper.hpp"
 #include "strandyn/casefile/analysis/decay.hpp"
 #include "strandyn/casefile/analysis/forced.hpp"
 #include "strandyn/casefile/analysis/modes.hpp"
@@ -19,8 +20,9 @@
 
 namespace strandyn::casefile {
 
-using Analysis = std::variant<SectionAnalysis, AxialTorsionAnalysis, StaticAnalysis, ModesAnalysis, DecayAnalysis,
-                              ForcedAnalysis, TransientAnalysis, SweepAnalysis, SelfDampingAnalysis, TradeoffAnalysis>;
+using Analysis =
+    std::variant<SectionAnalysis, AxialTorsionAnalysis, StaticAnalysis, ModesAnalysis, DecayAnalysis, ForcedAnalysis,
+                 TransientAnalysis, SweepAnalysis, SelfDampingAnalysis, TradeoffAnalysis, DamperAnalysis>;
 
 /// The word of the chosen one.
 inline std::string_view word_of(const Analysis& analysis) {

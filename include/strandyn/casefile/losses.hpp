@@ -52,7 +52,10 @@ inline constexpr double steel_from = 120e9;
 template <class V>
 void keys(V& v, Material& m) {
   v.number("loss_factor", m.loss_factor,
-           {.help = "the loss factor of the metal of all wires", .at_least = 0, .at_most = 0.1});
+           {.help = "the loss factor of the metal of all wires; of a section that is given as a whole, of all that it "
+                    "loses",
+            .at_least = 0,
+            .at_most = 0.5});
   v.number("loss_factor_aluminium", m.loss_factor_aluminium,
            {.help = "the loss factor of wires with a Young's modulus below 120 GPa; sources support 1e-4 to 3e-4",
             .at_least = 0,

@@ -66,8 +66,11 @@ struct Load {
 /// Something fixed to a node: a mass, or a spring and a damper to ground along a direction.
 struct Body {
   std::size_t node = 0;
-  double mass = 0;       ///< [kg]
-  double inertia = 0;    ///< [kg m^2] about every axis
+  double mass = 0;     ///< [kg]
+  double inertia = 0;  ///< [kg m^2] about every axis through its centre of mass
+  /// [m] from the node to the centre of mass in the reference configuration; it turns with the node. Chains in a
+  /// plane only.
+  Eigen::Vector2d eccentricity = Eigen::Vector2d::Zero();
   double stiffness = 0;  ///< [N/m] of the spring, without force where the displacement is zero
   double damping = 0;    ///< [N s/m]
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();

@@ -26,6 +26,7 @@
 #include "strandyn/model/model.hpp"
 #include "strandyn/section/material_damping.hpp"
 #include "strandyn/system/air_on_chain.hpp"
+#include "strandyn/system/eccentric_bodies.hpp"
 
 namespace strandyn::system {
 
@@ -231,6 +232,7 @@ class System {
   Vector drag_;                     // [N s/m] per unknown
   ProportionalDamping damping_;
   AirOnChain air_on_chain_;
+  EccentricBodies eccentric_;
   air::AirForce air_;
   section::MaterialMemory material_;
   std::optional<double> clock_;  // [s] time of the last commit

@@ -231,6 +231,7 @@ void HarmonicBalance::account(const PeriodicPoint& point, const BalanceEvaluatio
   const auto d = static_cast<Index>(drive_);
   const double force_c = setup_.kind == DriveKind::force ? point.drive : at.force(d, 1);
   const double force_s = setup_.kind == DriveKind::force ? 0 : at.force(d, 2);
+  solution.drive_force = {force_c, -force_s};
   solution.drive_power = point.omega / 2 * (force_c * point.x(d, 2) - force_s * point.x(d, 1));
 
   // Derivatives by angle of all harmonics that the samples hold, not only of those of the balance.

@@ -97,15 +97,16 @@ struct PeriodicSolution {
   double residual = 0;    ///< [N] largest harmonic out of balance
   double correction = 0;  ///< [-] the last one, as the tolerance measures it
   section::Effort effort = {};
-  int cycles = 0;               ///< until the loops were closed
-  double loop_gap = 0;          ///< [-] as `closure` measures it
-  double drive_power = 0;       ///< [W]
-  double loop_work = 0;         ///< [J] per cycle, all sections
-  double friction = 0;          ///< [J] per cycle, all sections, as the law books it
-  double quadrature_error = 0;  ///< [J] per cycle, of the friction
-  double material = 0;          ///< [J] per cycle, all sections
-  system::ViscousLoss viscous;  ///< [J] per cycle
-  double air = 0;               ///< [J] per cycle
+  int cycles = 0;                        ///< until the loops were closed
+  double loop_gap = 0;                   ///< [-] as `closure` measures it
+  std::complex<double> drive_force = 0;  ///< [N] or [N m] on the driven unknown: Re(F exp(i w t))
+  double drive_power = 0;                ///< [W]
+  double loop_work = 0;                  ///< [J] per cycle, all sections
+  double friction = 0;                   ///< [J] per cycle, all sections, as the law books it
+  double quadrature_error = 0;           ///< [J] per cycle, of the friction
+  double material = 0;                   ///< [J] per cycle, all sections
+  system::ViscousLoss viscous;           ///< [J] per cycle
+  double air = 0;                        ///< [J] per cycle
   SectionLoss sections;
   std::vector<double> air_by_node;  ///< [J] per cycle
 

@@ -1,0 +1,152 @@
+#include "strandyn/damper/arm_chain.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "strandyn/solver/modes/modes.hpp"
+#include "strandyn/system/system.hpp"
+#include "without_axial.hpp"
+
+namespace strandyn::damper {
+
+using section::Component;
+using solver::PeriodicSolution;
+
+namespace {
+
+/// [-] of the branch that stands for the metal: w tau. What it adds to the stiffness is this part of what it loses.
+constexpr double slowness = 1e-3;
+/// A step from one answer to the next is halved so often.
+constexpr int most_halvings = 5;
+/// From rest, amplitude is raised in so many doublings.
+constexpr int doublings = 6;
+
+/// Along its axis the messenger hardly moves: bending alone counts.
+section::MaterialBranches branch_at(const section::MaterialLoss& loss, double omega) {
+  const double wanted = section::loss_at(loss, Component::bending2, omega);
+  if (wanted == 0) return {};
+  section::MaterialBranch branch{.relaxation_time = slowness / omega};
+  branch.stiffness[static_cast<std::size_t>(Component::bending2)] = wanted * (1 + slowness * slowness) / slowness;
+  return {branch};
+}
+
+/// Between two motions of the clamp, evenly in logarithms.
+Shake between(const Shake& a, const Shake& b) {
+  return {.frequency = std::sqrt(a.frequency * b.frequency), .velocity = std::sqrt(a.velocity * b.velocity)};
+}
+
+}  // namespace
+
+ArmChain::ArmChain(const Arm& arm, const Messenger& messenger, const ArmChainOptions& options)
+    : arm_(arm), messenger_(messenger), options_(options) {
+  messenger_.law = std::make_shared<WithoutAxial>(messenger.law);
+}
+
+std::size_t ArmChain::section_points() const {
+  return options_.elements * beam::gauss_points;
+}
+
+model::Model ArmChain::model_at(double frequency) const {
+  model::Model model;
+  model.freedom = model::Freedom::transverse_planar;
+  std::vector<double> nodes;
+  for (std::size_t i = 0; i <= options_.elements; ++i) {
+    nodes.push_back(arm_.length * static_cast<double>(i) / static_cast<double>(options_.elements));
+  }
+  model::lay_out(model, {.positions = nodes, .strain = 0});
+  model.supports = {{.node = 0, .fixed = {true, true, true, true, true, true}}};
+  model.bodies = {{.node = options_.elements,
+                   .mass = arm_.weight.mass,
+                   .inertia = arm_.weight.inertia,
+                   .eccentricity = {-arm_.weight.eccentricity, 0}}};
+  model.law = messenger_.law;
+  model.inertia = {.mass = messenger_.mass_per_length, .rotary = 0};
+  model.mass_matrix = model::MassMatrix::consistent;
+  if (frequency > 0) model.material = branch_at(messenger_.material, 2 * std::numbers::pi * frequency);
+  return model;
+}
+
+std::vector<double> ArmChain::natural_frequencies(std::size_t count) const {
+  const model::Model model = model_at(0);
+  system::System system(model);
+  const system::Vector rest = system.make_vector();
+  system.begin(rest);
+  std::vector<double> frequencies;
+  for (const solver::Mode& mode : solver::transverse_modes(system, rest, count, options_.stop)) {
+    frequencies.push_back(mode.frequency);
+  }
+  return frequencies;
+}
+
+PeriodicSolution ArmChain::solve(const Shake& shake, const Reached* from, section::Effort& effort) const {
+  const model::Model model = model_at(shake.frequency);
+  system::System system(model);
+  const system::Vector rest = system.make_vector();
+  system.begin(rest);
+  const solver::PeriodicSolver solver(
+      system, rest, {.kind = solver::DriveKind::motion, .drive = {.node = 0}, .control = {.node = options_.elements}},
+      {.harmonics = options_.harmonics, .samples = options_.samples, .stop = options_.stop});
+  solver::PeriodicState start = solver.from_rest(shake.frequency, shake.displacement());
+  if (from) {
+    start.harmonics = from->state.harmonics * (shake.displacement() / from->shake.displacement());
+  }
+  PeriodicSolution solution = solver.forced(shake.frequency, shake.displacement(), start);
+  effort += solution.effort;
+  return solution;
+}
+
+std::optional<ArmChain::Reached> ArmChain::walk(const Reached& from, const Shake& to, int halvings,
+                                                section::Effort& effort) const {
+  const PeriodicSolution solution = solve(to, &from, effort);
+  if (solution.converged) return Reached{.shake = to, .state = solution.state};
+  if (halvings == 0) return std::nullopt;
+  const auto middle = walk(from, between(from.shake, to), halvings - 1, effort);
+  return middle ? walk(*middle, to, halvings - 1, effort) : std::nullopt;
+}
+
+ArmAnswer ArmChain::answer_of(const Shake& shake, const PeriodicSolution& solution) const {
+  // The solver counts from the displacement; here the velocity is real: i w exp(i w t).
+  const Complex ahead{0, 1};
+  const std::size_t last = options_.elements * 2;
+  ArmAnswer answer{.converged = solution.converged, .failure = solution.failure, .shake = shake};
+  answer.force = solution.drive_force / ahead;
+  answer.tip = solution.state.phasor(last) / ahead;
+  answer.turn = solution.state.phasor(last + 1) / ahead;
+  answer.friction = solution.friction;
+  answer.material = solution.material;
+  // Linear over the first element, from its two points to the clamp.
+  const auto& chi = solution.sections.curvature_amplitude;
+  answer.clamp_curvature = chi[0] + (chi[0] - chi[1]) * (std::sqrt(3) - 1) / 2;
+  return answer;
+}
+
+ArmAnswer ArmChain::answer(const Shake& shake) {
+  section::Effort effort;
+  PeriodicSolution solution = solve(shake, last_ ? &*last_ : nullptr, effort);
+  if (!solution.converged && last_) {
+    if (const auto there = walk(*last_, shake, most_halvings, effort)) solution = solve(shake, &*there, effort);
+  }
+  if (!solution.converged) {
+    // From an amplitude so small that little slips.
+    Shake low = shake;
+    low.velocity *= std::pow(0.5, doublings);
+    PeriodicSolution small = solve(low, nullptr, effort);
+    if (small.converged) {
+      if (const auto there = walk({.shake = low, .state = small.state}, shake, most_halvings + 1, effort)) {
+        solution = solve(shake, &*there, effort);
+      }
+    }
+  }
+  if (solution.converged) {
+    last_ = Reached{.shake = shake, .state = solution.state};
+  } else {
+    last_.reset();
+  }
+  ArmAnswer answer = answer_of(shake, solution);
+  answer.effort = effort;
+  return answer;
+}
+
+}  // namespace strandyn::damper
