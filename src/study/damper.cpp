@@ -82,7 +82,7 @@ class Damper final : public Analysis {
         messenger_.law->name() != "stick" && messenger_.law->name() != "slip" && messenger_.law->name() != "elastic";
     // Rounds of Newton's method, each some cycles around the loops; where wires slip also their derivatives.
     if (keys_.model != ArmModel::reduced) {
-      expect(outlook, jobs * sections * keys_.periodic.samples * (slips ? 80 : 9), 3.1);
+      expect(outlook, jobs * sections * keys_.periodic.samples * (slips ? 120 : 9), 3.1);
     } else {
       expect(outlook, 60000, 3.1);  // the loops of all amplitudes, once
     }

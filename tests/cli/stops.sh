@@ -35,6 +35,10 @@ write_case() {
       wires return-map
       printf '[span]\nlength_m = 10\ntension_rts = 0.2\nelements = 40000\n'
       printf '[integrator]\nstep = "auto"\n[analysis]\ntype = "decay"\nmode = 500\nantinode_amplitude_mm = 1e-3\ncycles = 1\n' ;;
+    damper)
+      wires compliant
+      printf '[analysis]\ntype = "damper"\npoints_per_octave = 100\nelements = 100\n'
+      printf '[[analysis.arm]]\nlength_m = 0.5\nmass_kg = 5\ninertia_kg_m2 = 0.05\n' ;;
     study/*)
       wires compliant
       printf "$span"'elements = 2000\n[analysis]\ntype = "self-damping"\nmethod = "%s"\n' "${1#study/}"
@@ -79,6 +83,7 @@ stops run periodic INT 1
 stops run transient TERM 1
 stops run forced INT 0.5
 stops run section TERM 0.5
+stops run damper TERM 1
 stops run study/quadrature INT 1
 stops run study/transient TERM 1
 stops run study/periodic INT 1
