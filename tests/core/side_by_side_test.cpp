@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace strandyn;
@@ -77,6 +79,8 @@ TEST_CASE("side by side: the first failure ends the handing out and comes back")
                                     [&](std::size_t i) {
                                       ++done;
                                       if (i == 3) throw std::runtime_error("piece 3");
+                                      // Seconds of work are left, on however many cores: a failure is heard sooner.
+                                      std::this_thread::sleep_for(std::chrono::milliseconds(i < 3 ? 0 : 20));
                                     }),
                        "piece 3", std::runtime_error);
   CHECK(done < 1000);
