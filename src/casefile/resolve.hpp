@@ -16,7 +16,10 @@ void resolve_loads(Scene& scene);
 /// The checks of [air] and [material].
 void check_losses(const Scene& scene);
 
-/// The checks of a sweep: its ends and its periodic response.
+/// Enough samples for the harmonics, in any analysis with a periodic response.
+void check_periodic(const Scene& scene);
+
+/// The checks of a sweep: its ends.
 void check_sweep(const Scene& scene);
 
 /// The velocities of a self-damping grid that names no amplitudes: those at which laboratories run.

@@ -300,8 +300,8 @@ void check_criteria(const Scene& scene) {
 void check_on_span(Scene& scene, Refusals& refusals) {
   refusals.hold([&] { resolve_loads(scene); });
   refusals.hold([&] { fill_laboratory_grid(scene); });
-  for (const auto check :
-       {check_analysis, check_static, check_transient, check_sweep, check_losses, check_self_damping, check_accuracy}) {
+  for (const auto check : {check_analysis, check_static, check_transient, check_periodic, check_sweep, check_losses,
+                           check_self_damping, check_accuracy}) {
     refusals.hold([&] { check(scene); });
   }
 }

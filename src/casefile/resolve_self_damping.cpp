@@ -109,13 +109,6 @@ void check_methods(const Scene& scene) {
   }
 }
 
-void check_periodic(const PeriodicKeys& periodic, const Source& source) {
-  if (periodic.samples >= 4 * periodic.harmonics + 4) return;
-  refuse(source, "analysis.periodic.samples",
-         fmt::format("are too few for {} harmonics of the motion", periodic.harmonics),
-         fmt::format("give {} or more", 4 * periodic.harmonics + 4));
-}
-
 void check_balances(const Scene& scene) {
   const SelfDampingAnalysis& a = scene.as<SelfDampingAnalysis>();
   for (std::size_t i = 0; i < a.energy_balances.size(); ++i) {
@@ -146,10 +139,24 @@ void check_balances(const Scene& scene) {
 
 }  // namespace
 
+void check_periodic(const Scene& scene) {
+  std::visit(
+      [&](const auto& analysis) {
+        if constexpr (requires { analysis.periodic; }) {
+          const PeriodicKeys& periodic = analysis.periodic;
+          const int least = 4 * periodic.harmonics + 4;
+          if (periodic.samples >= least) return;
+          refuse(scene.source, "analysis.periodic.samples",
+                 fmt::format("are too few for {} harmonics of the motion", periodic.harmonics),
+                 fmt::format("give {} or more", least));
+        }
+      },
+      scene.analysis);
+}
+
 void check_sweep(const Scene& scene) {
   if (!scene.is<SweepAnalysis>()) return;
   const auto& sweep = scene.as<SweepAnalysis>();
-  check_periodic(sweep.periodic, scene.source);
   if (sweep.from.has_value() != sweep.to.has_value()) {
     refuse(scene.source, sweep.from ? "analysis.from_Hz" : "analysis.to_Hz", "needs the other end of the sweep",
            "give both from_Hz and to_Hz, or relative_width");
@@ -173,7 +180,6 @@ void check_self_damping(const Scene& scene) {
   if (!scene.is<SelfDampingAnalysis>()) return;
   check_grid(scene);
   check_methods(scene);
-  check_periodic(scene.as<SelfDampingAnalysis>().periodic, scene.source);
   check_balances(scene);
 }
 

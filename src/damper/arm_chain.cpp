@@ -90,20 +90,19 @@ PeriodicSolution ArmChain::solve(const Shake& shake, const Reached* from, sectio
       {.harmonics = options_.harmonics, .samples = options_.samples, .stop = options_.stop});
   solver::PeriodicState start = solver.from_rest(shake.frequency, shake.displacement());
   if (from) {
-    start.harmonics = from->state.harmonics * (shake.displacement() / from->shake.displacement());
+    start.harmonics = from->solution.state.harmonics * (shake.displacement() / from->shake.displacement());
   }
   PeriodicSolution solution = solver.forced(shake.frequency, shake.displacement(), start);
   effort += solution.effort;
   return solution;
 }
 
-std::optional<ArmChain::Reached> ArmChain::walk(const Reached& from, const Shake& to, int halvings,
-                                                section::Effort& effort) const {
-  const PeriodicSolution solution = solve(to, &from, effort);
-  if (solution.converged) return Reached{.shake = to, .state = solution.state};
-  if (halvings == 0) return std::nullopt;
-  const auto middle = walk(from, between(from.shake, to), halvings - 1, effort);
-  return middle ? walk(*middle, to, halvings - 1, effort) : std::nullopt;
+PeriodicSolution ArmChain::walk(const Reached& from, const Shake& to, int halvings, section::Effort& effort) const {
+  PeriodicSolution solution = solve(to, &from, effort);
+  if (solution.converged || halvings == 0) return solution;
+  const Shake half = between(from.shake, to);
+  const PeriodicSolution middle = walk(from, half, halvings - 1, effort);
+  return middle.converged ? walk({.shake = half, .solution = middle}, to, halvings - 1, effort) : solution;
 }
 
 ArmAnswer ArmChain::answer_of(const Shake& shake, const PeriodicSolution& solution) const {
@@ -124,28 +123,18 @@ ArmAnswer ArmChain::answer_of(const Shake& shake, const PeriodicSolution& soluti
 
 ArmAnswer ArmChain::answer(const Shake& shake) {
   section::Effort effort;
-  PeriodicSolution solution = solve(shake, last_ ? &*last_ : nullptr, effort);
-  if (!solution.converged && last_) {
-    if (const auto there = walk(*last_, shake, most_halvings, effort)) solution = solve(shake, &*there, effort);
-  }
+  PeriodicSolution solution = last_ ? walk(*last_, shake, most_halvings, effort) : solve(shake, nullptr, effort);
   if (!solution.converged) {
     // From an amplitude so small that little slips.
     Shake low = shake;
     low.velocity *= std::pow(0.5, doublings);
-    PeriodicSolution small = solve(low, nullptr, effort);
-    if (small.converged) {
-      if (const auto there = walk({.shake = low, .state = small.state}, shake, most_halvings + 1, effort)) {
-        solution = solve(shake, &*there, effort);
-      }
-    }
-  }
-  if (solution.converged) {
-    last_ = Reached{.shake = shake, .state = solution.state};
-  } else {
-    last_.reset();
+    const PeriodicSolution small = solve(low, nullptr, effort);
+    if (small.converged) solution = walk({.shake = low, .solution = small}, shake, most_halvings + 1, effort);
   }
   ArmAnswer answer = answer_of(shake, solution);
   answer.effort = effort;
+  last_.reset();
+  if (solution.converged) last_ = Reached{.shake = shake, .solution = std::move(solution)};
   return answer;
 }
 

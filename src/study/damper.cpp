@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <numbers>
 
 #include "damper_rows.hpp"
 #include "entries.hpp"
@@ -20,7 +19,6 @@ using casefile::ArmModel;
 using casefile::DamperAnalysis;
 using casefile::Scene;
 using damper::ArmAnswer;
-using damper::Shake;
 
 namespace {
 
@@ -48,19 +46,12 @@ class Damper final : public Analysis {
       refuse(scene.source, "analysis.arm[2]", fmt::format("{} arms: a damper has one or two", keys_.arms.size()),
              "leave the others out");
     }
-    if (!(keys_.to > keys_.from)) {
+    if (keys_.frequencies.empty() && !(keys_.to > keys_.from)) {
       refuse(scene.source, "analysis.to_Hz", fmt::format("does not lie above from_Hz = {}", keys_.from),
              "give a higher frequency");
     }
-    if (!std::ranges::is_sorted(keys_.frequencies)) {
-      refuse(scene.source, "analysis.frequencies_Hz", "the frequencies do not ascend", "sort them");
-    }
-    const int least = 4 * keys_.periodic.harmonics + 4;
-    if (keys_.periodic.samples < least) {
-      refuse(scene.source, "analysis.periodic.samples",
-             fmt::format("{} samples are too few for {} harmonics", keys_.periodic.samples, keys_.periodic.harmonics),
-             fmt::format("give {} or more", least));
-    }
+    require_ascending("analysis.frequencies_Hz", keys_.frequencies);
+    require_ascending("analysis.clamp_velocity_m_per_s", keys_.velocities);
     for (std::size_t i = 0; i < keys_.arms.size(); ++i) {
       const casefile::ArmKeys& a = keys_.arms[i];
       if (a.inertia == 0 && a.eccentricity == 0 && messenger_.mass_per_length == 0) {
@@ -78,15 +69,14 @@ class Damper final : public Analysis {
     Outlook outlook;
     const double jobs = static_cast<double>(frequencies_.size() * keys_.velocities.size() * arms_.size());
     const auto sections = static_cast<double>(2 * keys_.elements);
-    const bool slips =
-        messenger_.law->name() != "stick" && messenger_.law->name() != "slip" && messenger_.law->name() != "elastic";
-    // Rounds of Newton's method, each some cycles around the loops; where wires slip also their derivatives.
-    if (keys_.model != ArmModel::reduced) {
-      expect(outlook, jobs * sections * keys_.periodic.samples * (slips ? 120 : 9), 3.1);
-    } else {
+    const casefile::Law law = scene_.section.law;
+    const bool slips = law != casefile::Law::stick && law != casefile::Law::slip && law != casefile::Law::elastic;
+    if (keys_.model == ArmModel::reduced) {
       expect(outlook, 60000, 3.1);  // the loops of all amplitudes, once
+    } else {
+      // Rounds of Newton's method, each some cycles around the loops; where wires slip also their derivatives.
+      expect(outlook, jobs * sections * keys_.periodic.samples * (slips ? 120 : 9), 3.1);
     }
-    section::Field strains(section::Dimension::planar, 1);
     const SlippingCycle cycle{.tangents = true};
     outlook.seconds_per_evaluation =
         (slips ? 6 : 32) * slipping_time(*messenger_.law, static_cast<std::size_t>(2 * keys_.elements), cycle);
@@ -106,7 +96,7 @@ class Damper final : public Analysis {
     }
     summary.failed = main.failed;
     outcome.tell(summary);
-    add_damper_tables(chain.rows, reduced.rows, keys_.velocities, outcome);
+    add_damper_tables(chain.rows, reduced.rows, outcome);
     if (!main.failed.empty()) {
       outcome.warnings.push_back(fmt::format(
           "{} of {} points have no answer (`failed` in summary.json says why) and are left out: give points_per_octave "
@@ -119,6 +109,11 @@ class Damper final : public Analysis {
   }
 
  private:
+  void require_ascending(const char* key, const std::vector<double>& list) const {
+    if (std::ranges::adjacent_find(list, std::ranges::greater_equal{}) == list.end()) return;
+    refuse(scene_.source, key, "does not ascend", "sort the list, and leave out what stands twice");
+  }
+
   std::size_t points() const { return frequencies_.size() * keys_.velocities.size(); }
 
   damper::ArmChainOptions chain_options(const Hooks& hooks) const {
@@ -166,13 +161,13 @@ class Damper final : public Analysis {
       }
     });
     for (std::size_t v = 0; v < keys_.velocities.size(); ++v) {
-      const auto first = answers.begin() + static_cast<std::ptrdiff_t>(v * arms_.size());
-      std::size_t complete = frequencies_.size();
-      for (std::size_t a = 0; a < arms_.size(); ++a) complete = std::min(complete, first[static_cast<long>(a)].size());
-      for (std::size_t i = 0; i < complete; ++i) {
+      for (std::size_t i = 0; i < frequencies_.size(); ++i) {
         std::vector<ArmAnswer> of_arms;
-        for (std::size_t a = 0; a < arms_.size(); ++a) of_arms.push_back(first[static_cast<long>(a)][i]);
-        rows.add(of_arms, keys_.clamp_mass);
+        for (std::size_t a = 0; a < arms_.size(); ++a) {
+          const std::vector<ArmAnswer>& of_arm = answers[v * arms_.size() + a];
+          if (i < of_arm.size()) of_arms.push_back(of_arm[i]);
+        }
+        if (of_arms.size() == arms_.size()) rows.add(of_arms, keys_.clamp_mass);
       }
     }
     return !stopped;
@@ -187,8 +182,9 @@ class Damper final : public Analysis {
       for (const damper::Arm& arm : arms_) arms.emplace_back(arm, messenger_, loops);
       for (const double frequency : frequencies_) {
         std::vector<ArmAnswer> of_arms;
-        for (damper::ReducedArm& arm : arms)
+        for (damper::ReducedArm& arm : arms) {
           of_arms.push_back(arm.answer({.frequency = frequency, .velocity = velocity}));
+        }
         rows.add(of_arms, keys_.clamp_mass);
       }
     }

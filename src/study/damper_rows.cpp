@@ -1,7 +1,5 @@
 #include "damper_rows.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -88,7 +86,7 @@ void DamperRows::add(const std::vector<damper::ArmAnswer>& arms, double clamp_ma
 ShakenRow shaken_at(double velocity, const std::vector<DamperRow>& main, const std::vector<DamperRow>& reduced) {
   ShakenRow shaken{.velocity = velocity};
   const auto rows = answered_at(velocity, main);
-  const auto others = &main == &reduced ? decltype(rows){} : answered_at(velocity, reduced);
+  const auto others = answered_at(velocity, reduced);
   shaken.peaks = peaks_of(rows);
   shaken.reduced_peaks = peaks_of(others);
   const double half = std::exp2(1.0 / 6);
@@ -102,32 +100,25 @@ ShakenRow shaken_at(double velocity, const std::vector<DamperRow>& main, const s
   return shaken;
 }
 
-void add_damper_tables(const std::vector<DamperRow>& chain, const std::vector<DamperRow>& reduced,
-                       const std::vector<double>& velocities, Outcome& outcome) {
+void add_damper_tables(const std::vector<DamperRow>& chain, const std::vector<DamperRow>& reduced, Outcome& outcome) {
   const std::vector<DamperRow>& main = chain.empty() ? reduced : chain;
   if (main.empty()) return;
   outcome.tables.push_back({.file = "damper.csv", .table = results::table_of(main)});
   if (!chain.empty() && !reduced.empty()) {
     outcome.tables.push_back({.file = "reduced.csv", .table = results::table_of(reduced)});
   }
-  for (std::size_t v = 0; v < velocities.size(); ++v) {
-    std::vector<DamperRow> rows;
-    for (const DamperRow* row : answered_at(velocities[v], main)) rows.push_back(*row);
-    if (rows.empty()) continue;
-    const std::string file = fmt::format("damper_{}.csv", v + 1);
-    outcome.tables.push_back({.file = file, .table = results::table_of(rows)});
-    const auto draw = [&](const char* name, const char* title, const char* column, const char* caption) {
-      outcome.figures.push_back({.name = fmt::format("{}_{}", name, v + 1),
-                                 .title = fmt::format("{}, {:.3g} m/s", title, velocities[v]),
-                                 .table = file,
-                                 .x = "frequency_Hz",
-                                 .y = {column},
-                                 .caption = caption});
-    };
-    draw("impedance", "Impedance", "impedance_N_s_per_m", "Force over velocity at the clamp.");
-    draw("phase", "Phase", "phase_deg", "Of the force ahead of the velocity; 0 where all of it feeds power.");
-    draw("power", "Power", "power_W", "That the clamp feeds at this velocity.");
-  }
+  const auto draw = [&](const char* name, const char* title, const char* column, const char* caption) {
+    outcome.figures.push_back({.name = name,
+                               .title = title,
+                               .table = "damper.csv",
+                               .x = "frequency_Hz",
+                               .y = {column},
+                               .series = {"clamp_velocity_m_per_s"},
+                               .caption = caption});
+  };
+  draw("impedance", "Impedance", "impedance_N_s_per_m", "Force over velocity at the clamp.");
+  draw("phase", "Phase", "phase_deg", "Of the force ahead of the velocity; 0 where all of it feeds power.");
+  draw("power", "Power", "power_W", "That the clamp feeds.");
   outcome.shown.push_back(
       {.title = "Impedance and power",
        .table = "damper.csv",

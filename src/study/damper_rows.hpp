@@ -103,9 +103,9 @@ struct DamperRows {
   /// Both arms and the clamp's own mass [kg] together.
   void add(const std::vector<damper::ArmAnswer>& arms, double clamp_mass);
 };
-/// Peaks and bands of the rows of one velocity; `reduced` may be `main` itself or empty.
+/// Peaks and bands of the rows of one velocity, beside those of `reduced`, which may be empty.
 ShakenRow shaken_at(double velocity, const std::vector<DamperRow>& main, const std::vector<DamperRow>& reduced);
-void add_damper_tables(const std::vector<DamperRow>& chain, const std::vector<DamperRow>& reduced,
-                       const std::vector<double>& velocities, Outcome& outcome);
+/// `reduced` beside `chain`, or either of them alone.
+void add_damper_tables(const std::vector<DamperRow>& chain, const std::vector<DamperRow>& reduced, Outcome& outcome);
 
 }  // namespace strandyn::study

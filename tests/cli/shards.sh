@@ -4,32 +4,8 @@
 . "$(dirname "$0")/support.sh"
 program=$(readlink -f "$program")
 
-cat > "$scratch/methods.toml" <<'CASE'
-[conductor]
-catalogue = "curlew"
-[section]
-law = "return-map"
-[span]
-length_m = 6
-elements = 32
-mass = "consistent"
-[analysis]
-type = "self-damping"
-method = "periodic"
-mode_shape = "clamped"
-modes = [3, 4]
-antinode_amplitude_mm = [1, 3]
-tensions_rts = 0.2
-[[analysis.at]]
-mode = 4
-antinode_amplitude_mm = 3
-tension_rts = 0.2
-method = "quadrature"
-[[analysis.at]]
-mode = 4
-antinode_amplitude_mm = 3
-tension_rts = 0.2
-method = "foti-2018"
+small_study "1, 3" > "$scratch/methods.toml"
+cat >> "$scratch/methods.toml" <<'CASE'
 [accept]
 "points[4].self_damping_W_per_m" = { above = 0, reason = "it slips" }
 CASE

@@ -92,33 +92,7 @@ node_is_up() { sinfo -h -o %t | grep -qx 'idle'; }
 wait_for 60 "slurmd does not come up" "$etc/slurmd.log" node_is_up
 sinfo
 
-cat > "$scratch/study.toml" <<'CASE'
-[conductor]
-catalogue = "curlew"
-[section]
-law = "return-map"
-[span]
-length_m = 6
-elements = 32
-mass = "consistent"
-[analysis]
-type = "self-damping"
-method = "periodic"
-mode_shape = "clamped"
-modes = [3, 4]
-antinode_amplitude_mm = [1, 2, 3]
-tensions_rts = 0.2
-[[analysis.at]]
-mode = 4
-antinode_amplitude_mm = 3
-tension_rts = 0.2
-method = "quadrature"
-[[analysis.at]]
-mode = 4
-antinode_amplitude_mm = 3
-tension_rts = 0.2
-method = "foti-2018"
-CASE
+small_study "1, 2, 3" > "$scratch/study.toml"
 export STRANDYN=$program
 "$program" run "$scratch/study.toml" --quiet --out "$scratch/whole" || fail "the undivided study"
 "$submit" "$scratch/study.toml" 4 --out "$scratch/out" > "$scratch/said" 2>&1 || { fail "submit"; cat "$scratch/said"; }

@@ -2,33 +2,7 @@
 # A study of several roads that was killed goes on with the points that are left, and ends with the bytes of one that was
 # never interrupted: summary.json but for the clock, tables and points.
 . "$(dirname "$0")/support.sh"
-cat > "$scratch/case.toml" <<'CASE'
-[conductor]
-catalogue = "curlew"
-[section]
-law = "return-map"
-[span]
-length_m = 6
-elements = 32
-mass = "consistent"
-[analysis]
-type = "self-damping"
-method = "periodic"
-mode_shape = "clamped"
-modes = [3, 4]
-antinode_amplitude_mm = [1, 2, 3]
-tensions_rts = 0.2
-[[analysis.at]]
-mode = 4
-antinode_amplitude_mm = 3
-tension_rts = 0.2
-method = "quadrature"
-[[analysis.at]]
-mode = 4
-antinode_amplitude_mm = 3
-tension_rts = 0.2
-method = "foti-2018"
-CASE
+small_study "1, 2, 3" > "$scratch/case.toml"
 run=("$program" run "$scratch/case.toml" --quiet --resume)
 points() { printf '%s/points.jsonl' "$scratch/$1"; }
 finished_points() { grep -s '"row"' "$(points "$1")" | wc -l; }

@@ -27,3 +27,34 @@ finish() {
   [ "$failures" -eq 0 ]
   exit
 }
+
+# small_study AMPLITUDES: self-damping of a short span by three methods, in seconds.
+small_study() {
+  cat <<CASE
+[conductor]
+catalogue = "curlew"
+[section]
+law = "return-map"
+[span]
+length_m = 6
+elements = 32
+mass = "consistent"
+[analysis]
+type = "self-damping"
+method = "periodic"
+mode_shape = "clamped"
+modes = [3, 4]
+antinode_amplitude_mm = [$1]
+tensions_rts = 0.2
+[[analysis.at]]
+mode = 4
+antinode_amplitude_mm = 3
+tension_rts = 0.2
+method = "quadrature"
+[[analysis.at]]
+mode = 4
+antinode_amplitude_mm = 3
+tension_rts = 0.2
+method = "foti-2018"
+CASE
+}

@@ -44,10 +44,12 @@ class ArmChain {
  private:
   struct Reached {
     Shake shake;
-    solver::PeriodicState state;
+    solver::PeriodicSolution solution;
   };
+  /// From the motion of another shake, or from rest.
   solver::PeriodicSolution solve(const Shake& shake, const Reached* from, section::Effort& effort) const;
-  std::optional<Reached> walk(const Reached& from, const Shake& to, int halvings, section::Effort& effort) const;
+  /// The same in smaller steps where need be.
+  solver::PeriodicSolution walk(const Reached& from, const Shake& to, int halvings, section::Effort& effort) const;
   model::Model model_at(double frequency) const;
   ArmAnswer answer_of(const Shake& shake, const solver::PeriodicSolution& solution) const;
 

@@ -68,6 +68,7 @@ void keys(V& v, DamperAnalysis& d) {
             {.help = "the amplitude of the clamp's velocity, or a list of them (0.05 and 0.1 unless given)",
              .unit = units::m_per_s,
              .above = 0});
+  for (const char* of_grid : {"from_Hz", "to_Hz", "points_per_octave"}) v.one_of({"frequencies_Hz", of_grid}, {});
   v.number("from_Hz", d.from, {.help = "the lowest frequency", .unit = units::Hz, .above = 0});
   v.number("to_Hz", d.to, {.help = "the highest frequency", .unit = units::Hz, .above = 0});
   v.number("points_per_octave", d.points_per_octave,
