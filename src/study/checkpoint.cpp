@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <sstream>
 
+#include "flat_case.hpp"
 #include "strandyn/casefile/echo.hpp"
 #include "strandyn/core/archive.hpp"
 #include "strandyn/core/error.hpp"
 #include "strandyn/results/folder.hpp"
-#include "strandyn/results/json.hpp"
 #include "strandyn/study/run_case.hpp"
 #include "strandyn/version.hpp"
 
@@ -23,23 +22,9 @@ Seal checkpoint_seal() {
   return {.kind = "checkpoint", .version = 4, .writer = writer};
 }
 
-/// Every number and word of the case with its path, without what does not touch its numbers.
-using FlatCase = std::map<std::string, std::string>;
-
-void flatten(const results::Value& value, const std::string& path, FlatCase& flat) {
-  if (value.members().empty() && value.entries().empty()) {
-    flat[path] = results::to_text(value, -1);
-    return;
-  }
-  for (const auto& [key, member] : value.members()) flatten(member, path.empty() ? key : path + "." + key, flat);
-  for (std::size_t i = 0; i < value.entries().size(); ++i) {
-    flatten(value.entries()[i], fmt::format("{}.{}", path, i), flat);
-  }
-}
-
+/// What a resumed run must have in common: all but what does not touch its numbers.
 FlatCase identity_of(const casefile::Scene& scene) {
-  FlatCase flat;
-  flatten(casefile::case_as_run(scene), "", flat);
+  FlatCase flat = flat_case(casefile::case_as_run(scene));
   std::erase_if(flat, [](const auto& entry) {
     const std::string& path = entry.first;
     return path == "title" || path.starts_with("accept") || path == "integrator.checkpoint_every_s";
@@ -63,19 +48,10 @@ FlatCase flat_of(const std::string& text) {
   return flat;
 }
 
-/// The first key in which two cases differ, with both values.
-std::string first_difference(const FlatCase& here, const FlatCase& there) {
-  const auto value = [](const FlatCase& flat, const std::string& key) {
-    const auto found = flat.find(key);
-    return found == flat.end() ? std::string("not given") : found->second;
-  };
-  for (const FlatCase* side : {&here, &there}) {
-    for (const auto& [key, ignored] : *side) {
-      if (value(here, key) == value(there, key)) continue;
-      return fmt::format("{} is {} here and {} there", key, value(here, key), value(there, key));
-    }
-  }
-  return "they were written by another program";
+std::string words_of_difference(const FlatCase& here, const FlatCase& there) {
+  const auto found = first_difference(here, there);
+  if (!found) return "they were written by another program";
+  return fmt::format("{} is {} here and {} there", found->key, found->first, found->second);
 }
 
 }  // namespace
@@ -98,7 +74,7 @@ CheckpointFile::CheckpointFile(const casefile::Scene& scene, const Hooks& hooks)
   if (identity == identity_) return;
   throw InputError(fmt::format(
       "cannot resume from {}: it belongs to another case: {}; give the case as it was, or run without --resume",
-      path_.string(), first_difference(flat_of(identity_), flat_of(identity))));
+      path_.string(), words_of_difference(flat_of(identity_), flat_of(identity))));
 }
 
 solver::Checkpoints CheckpointFile::checkpoints(std::function<bool()> interrupted) {

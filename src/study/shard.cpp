@@ -7,6 +7,7 @@
 #include <map>
 
 #include "entries.hpp"
+#include "flat_case.hpp"
 #include "strandyn/casefile/echo.hpp"
 #include "strandyn/casefile/read.hpp"
 #include "strandyn/results/folder.hpp"
@@ -58,21 +59,6 @@ Note read_note(const std::filesystem::path& folder) {
   throw InputError(fmt::format("{}: is not as a shard leaves it; run the shard again", file.string()));
 }
 
-/// The first place in which two cases differ, with what stands there; empty where there is none.
-std::string first_difference(const Value& a, const Value& b, const std::string& path = {}) {
-  if (results::to_text(a, -1) == results::to_text(b, -1)) return {};
-  const Value missing("not given");
-  for (const Value* side : {&a, &b}) {
-    for (const auto& [key, ignored] : side->members()) {
-      const Value *here = a.find(key), *there = b.find(key);
-      std::string found = first_difference(here ? *here : missing, there ? *there : missing,
-                                           path.empty() ? key : fmt::format("{}.{}", path, key));
-      if (!found.empty()) return found;
-    }
-  }
-  return fmt::format("{} is {} in the one and {} in the other", path, results::to_text(a, -1), results::to_text(b, -1));
-}
-
 casefile::Scene scene_of(const CaseText& source) {
   return casefile::read_scene_text(source.text, source.file, source.overrides);
 }
@@ -85,11 +71,12 @@ CaseText source_of(const Note& note) {
 void require_same_study(const Note& first, const std::filesystem::path& first_folder, const Note& note,
                         const std::filesystem::path& folder) {
   if (note.text != first.text || note.overrides != first.overrides) {
-    const std::string difference = first_difference(casefile::case_as_run(scene_of(source_of(first))),
-                                                    casefile::case_as_run(scene_of(source_of(note))));
-    if (!difference.empty()) {
-      throw InputError(fmt::format("{} and {} are shards of different cases: {}; merge the shards of one case",
-                                   first_folder.string(), folder.string(), difference));
+    const auto as_run = [](const Note& n) { return flat_case(casefile::case_as_run(scene_of(source_of(n)))); };
+    if (const auto difference = first_difference(as_run(first), as_run(note))) {
+      throw InputError(
+          fmt::format("{} and {} are shards of different cases: {} is {} in the one and {} in the other; merge the "
+                      "shards of one case",
+                      first_folder.string(), folder.string(), difference->key, difference->first, difference->second));
     }
   }
   if (note.study != first.study) {
