@@ -113,7 +113,8 @@ SectionalLoss Quadrature::loss_table(double tension, const std::vector<Point>& p
   if (how.find) {
     if (const std::optional<LossTable> kept = how.find(tension, range)) return SectionalLoss(*kept);
   }
-  SectionalLoss loss(*law_, {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max}, range);
+  SectionalLoss loss(*law_, {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max}, range,
+                     {.stop = how.stop});
   if (how.keep) {
     LossTable table = loss.table();
     table.tension = tension;

@@ -122,6 +122,7 @@ std::vector<ClosedLoop> closed_loops(const section::Law& law, const SectionState
   std::vector<ClosedLoop> loops(amplitudes.size());
   std::vector<section::Effort> efforts(pieces);
   side_by_side(pieces, [&](std::size_t piece) {
+    end_if_asked(options.stop);
     const std::size_t first = piece * together;
     const auto own = amplitudes.subspan(first, std::min(together, amplitudes.size() - first));
     std::vector<double> lost(own.size(), 0.0);

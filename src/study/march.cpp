@@ -29,16 +29,21 @@ std::vector<std::size_t> share_of(const std::vector<Point>& points, const Shard&
   return own;
 }
 
-void March::run(const std::vector<std::size_t>& own) {
+bool March::run(const std::vector<std::size_t>& own) {
   own_ = own.size();
   left_.clear();
   for (const std::size_t place : own) {
     if (!log_.rows().contains(place)) left_.push_back(place);
   }
   done_ = own_ - left_.size();
-  begin();
+  try {
+    begin();
+  } catch (const Interrupted&) {
+    return false;  // the tables that were made are kept
+  }
   tell();
   side_by_side(left_.size(), [this](std::size_t i) { compute(left_[i]); });
+  return true;
 }
 
 /// The whole study sums up over all tensions, a shard only over its own.
@@ -56,7 +61,8 @@ void March::begin() {
                                   [this](const LossTable& table) {
                                     const std::lock_guard lock(mutex_);
                                     log_.add(table);
-                                  }};
+                                  },
+                              .stop = [this] { return stop(); }};
   for (const auto& [word, method] : methods_) {
     if (hooks_.shard) {
       std::vector<Point> own;

@@ -26,8 +26,9 @@ class March {
         const std::vector<self_damping::Point>& points, self_damping::PointLog& log)
       : scene_(scene), hooks_(hooks), methods_(methods), points_(points), log_(log) {}
 
-  /// Those of `own` that the log does not have, after what they share.
-  void run(const std::vector<std::size_t>& own);
+  /// Those of `own` that the log does not have, after what they share; false where it was stopped before that was done:
+  /// then the methods have not begun.
+  bool run(const std::vector<std::size_t>& own);
 
  private:
   bool stop();

@@ -263,7 +263,11 @@ class SelfDamping final : public Analysis, public Pieces {
     std::ranges::copy_if(points_, std::back_inserter(own), [&](const Point& point) { return point.method == word; });
     return own;
   }
-  void sum_up(const std::vector<PointRow>& rows, bool finished, Outcome& outcome) const;
+  /// How far the study came: what its points share is there; all points are.
+  struct Reached {
+    bool begun = false, finished = false;
+  };
+  void sum_up(const std::vector<PointRow>& rows, Reached reached, Outcome& outcome) const;
 
   const Scene& scene_;
   std::vector<Point> points_;
@@ -275,7 +279,7 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
   PointLog log({.folder = hooks.folder, .study = identity(), .resume = hooks.resume}, points_);
   if (log.fault() && hooks.warn) hooks.warn(*log.fault());
   const std::vector<std::size_t> own = share(hooks.shard.value_or(Shard{}));
-  March(scene_, hooks, methods_, points_, log).run(own);
+  const bool begun = March(scene_, hooks, methods_, points_, log).run(own);
 
   std::vector<PointRow> rows;
   std::size_t failed = 0;
@@ -298,7 +302,7 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
       outcome.cost.section_sweeps += table.sweeps;
     }
   } else {
-    sum_up(rows, finished, outcome);
+    sum_up(rows, {.begun = begun, .finished = finished}, outcome);
   }
   if (log.dropped() && !hooks.merged) {
     outcome.summary.set("recomputed", results::to_value(RecomputedPoints{.points = *log.dropped()}));
@@ -315,7 +319,7 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
   outcome.message = fmt::format("{} of {} points failed; each says why in its row", failed, own.size());
 }
 
-void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outcome& outcome) const {
+void SelfDamping::sum_up(const std::vector<PointRow>& rows, Reached reached, Outcome& outcome) const {
   StudySummary summary{
       .points = rows, .fits = self_damping::fit_points(scene_, rows), .grids = self_damping::fit_grids(scene_, rows)};
   if (summary.fits.warning) outcome.warnings.push_back(*summary.fits.warning);
@@ -327,7 +331,7 @@ void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outco
     if (*grid && (*grid)->caveat) outcome.warnings.push_back(fmt::format("grid of {}: {}", name, *(*grid)->caveat));
   }
   const Quadrature* quadrature = nullptr;
-  if (methods_.contains(DampingMethod::quadrature)) {
+  if (reached.begun && methods_.contains(DampingMethod::quadrature)) {
     quadrature = &dynamic_cast<const Quadrature&>(*methods_.at(DampingMethod::quadrature));
     auto onsets = self_damping::onsets_of(scene_, *quadrature, points_);
     if (!onsets.empty()) summary.onsets = std::move(onsets);
@@ -335,7 +339,7 @@ void SelfDamping::sum_up(const std::vector<PointRow>& rows, bool finished, Outco
     if (!comparison.rows.empty()) summary.comparisons = std::move(comparison.rows);
     if (comparison.warning) outcome.warnings.push_back(*comparison.warning);
   }
-  if (finished && !scene_.as<casefile::SelfDampingAnalysis>().energy_balances.empty()) {
+  if (reached.finished && !scene_.as<casefile::SelfDampingAnalysis>().energy_balances.empty()) {
     self_damping::Balances balances = self_damping::energy_balances(
         {.scene = scene_, .points = points_, .quadrature = quadrature, .fit = summary.fits.law});
     for (std::string& warning : balances.warnings) outcome.warnings.push_back(std::move(warning));

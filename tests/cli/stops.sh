@@ -42,12 +42,12 @@ write_case() {
     study/*)
       wires compliant
       printf "$span"'elements = 2000\n[analysis]\ntype = "self-damping"\nmethod = "%s"\n' "${1#study/}"
-      if [ "$1" = study/transient ] || [ "$1" = study/periodic ]; then
-        printf 'modes = [40, 60]\n'
-      else
-        printf 'frequencies_Hz = [%s]\n' "$(seq -s, 10 0.01 60)"
-      fi
-      printf 'antinode_amplitude_mm = [1, 2, 3]\ntensions_rts = [0.15, 0.2, 0.25]\n' ;;
+      case $1 in
+        study/quadrature)  # a table for each of 61 tensions
+          printf 'frequencies_Hz = [%s]\ntensions_rts = [%s]\n' "$(seq -s, 10 60)" "$(seq -s, 0.1 0.005 0.4)" ;;
+        *) printf 'modes = [40, 60]\ntensions_rts = [0.15, 0.2, 0.25]\n' ;;
+      esac
+      printf 'antinode_amplitude_mm = [1, 2, 3]\n' ;;
   esac
 }
 

@@ -73,6 +73,7 @@ struct Beginning {
   /// The kept table of a tension [N] for a range of curvatures, or nothing. Called from any thread.
   std::function<std::optional<LossTable>(double tension, const CurvatureRange& range)> find = {};
   std::function<void(const LossTable&)> keep = {};  ///< hears of each table that was made. Called from any thread
+  Stop stop = {};  ///< asked several times a second, from any thread: Interrupted is thrown
 };
 
 /// Pure once begun: called from several threads at once, one point per call.

@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "strandyn/core/stop.hpp"
 #include "strandyn/results/record.hpp"
 #include "strandyn/section/law.hpp"
 
@@ -39,6 +40,7 @@ struct LossOptions {
   int knots_per_decade = 24;  ///< of chi - chi_on, in the first pass; 8 miss ripples of 0.3 % that springs leave
   double tolerance = 1e-3;    ///< [-] of D in the middle between two knots
   int passes = 6;             ///< at most
+  Stop stop = {};             ///< asked between loops, from any thread: Interrupted is thrown
 };
 
 /// A closed loop.
