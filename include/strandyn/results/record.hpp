@@ -14,11 +14,14 @@
 /// `value` takes numbers, true or false, words, ranges of numbers, and optionals of them.
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <ranges>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "strandyn/results/table.hpp"
@@ -180,18 +183,34 @@ class RecordReader {
     taken_.emplace_back(key);
     return object_.find(key);
   }
+  /// The number that stands there, where T can hold it: a whole T takes no fraction and nothing beyond its range.
+  template <Number T>
+  static std::optional<T> held_by(const Value& from) {
+    return from.visit([](const auto& data) -> std::optional<T> {
+      using Data = std::remove_cvref_t<decltype(data)>;
+      if constexpr (!Number<Data> || std::same_as<Data, bool>) {
+        return std::nullopt;
+      } else if constexpr (std::floating_point<T>) {
+        return static_cast<T>(data);
+      } else if constexpr (std::integral<Data>) {
+        return std::in_range<T>(data) ? std::optional(static_cast<T>(data)) : std::nullopt;
+      } else {
+        using Limits = std::numeric_limits<T>;
+        constexpr double beyond = 2.0 * static_cast<double>(Limits::max() / 2 + 1);
+        const bool fits = data >= static_cast<double>(Limits::min()) && data < beyond && data == std::floor(data);
+        return fits ? std::optional(static_cast<T>(data)) : std::nullopt;
+      }
+    });
+  }
   template <class T>
   static bool read(const Value& from, T& x) {
     if constexpr (std::same_as<T, bool>) {
       if (from.flag()) x = *from.flag();
       return from.flag().has_value();
     } else if constexpr (Number<T>) {
-      if (from.number())
-        x = from.visit([&](const auto& data) -> T {
-          if constexpr (Number<std::remove_cvref_t<decltype(data)>>) return static_cast<T>(data);
-          return x;
-        });
-      return from.number().has_value();
+      const std::optional<T> held = held_by<T>(from);
+      if (held) x = *held;
+      return held.has_value();
     } else if constexpr (std::same_as<T, std::string>) {
       if (from.words()) x = *from.words();
       return from.words() != nullptr;
