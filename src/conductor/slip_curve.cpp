@@ -59,6 +59,9 @@ double SlipCurve::loss_moment(double x) const {
   return g == 1 ? 1 : slope(x) / (2 * logarithm_) * logarithm_beyond_linear(g);
 }
 
+/// A multiple of its inverse, up to one, is a double; and so is any sum of them.
+constexpr double digits_of_one = 0x1p52;
+
 double grading_ratio(const ChainPlan& plan) {
   return std::pow(plan.smallest_slip, -1.0 / (plan.springs - 2));
 }
@@ -90,6 +93,7 @@ SpringChain spring_chain(const SlipCurve& curve, const ChainPlan& plan) {
   chain.stiffness.push_back(1 - stiffness_below - last_stiffness);
   chain.limit.push_back(1 - curve.loss_moment(middle));
   chain.stiffness.push_back(last_stiffness);
+  for (double& phi : chain.limit) phi = std::nearbyint(phi * digits_of_one) / digits_of_one;
   return chain;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "compliant_kernel.hpp"
 #include "strandyn/conductor/contact.hpp"
@@ -52,6 +54,29 @@ std::optional<std::string> find_fault(const CompliantOptions& o) {
   return std::nullopt;
 }
 
+SpringTable::SpringTable(const std::array<conductor::SpringChain, 2>& sides)
+    : springs_(sides[0].limit.size()), rows_((springs_ + 1) * row_length) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto at = [&](std::size_t spring, Column column) -> double& {
+      return rows_[spring * row_length + 2 * column + side];
+    };
+    at(0, pull_below) = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < springs_; ++i) {
+      at(i, kappa) = sides[side].stiffness[i];
+      at(i, phi) = sides[side].limit[i];
+      at(i, per_kappa) = 1 / at(i, kappa);
+      at(i, per_phi) = 1 / at(i, phi);
+      at(i, pull) = at(i, kappa) / at(i, phi);
+      at(i + 1, pull_below) = std::min(at(i, pull_below), at(i, pull));
+      at(i + 1, phi_below) = at(i, phi_below) + at(i, phi);
+    }
+    for (std::size_t i = springs_; i-- > 0;) {
+      at(i, kappa_from) = at(i + 1, kappa_from) + at(i, kappa);
+      at(i, pull_from) = std::max(at(i + 1, pull_from), at(i, pull));
+    }
+  }
+}
+
 CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, const CompliantOptions& options) {
   CompliantCoefficients c;
   c.planar = planar_coefficients(strand, options.points);
@@ -88,7 +113,8 @@ CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, co
       plan.phase = phase;
       conductor::ChainPlan of_other = plan;
       of_other.phase = other - std::floor(other);
-      layer.chains.push_back({conductor::spring_chain(curve, plan), conductor::spring_chain(curve, of_other)});
+      layer.chains.emplace_back(
+          std::array{conductor::spring_chain(curve, plan), conductor::spring_chain(curve, of_other)});
     }
     c.layers.push_back(std::move(layer));
   }

@@ -14,10 +14,7 @@
 #define STRANDYN_SECTION_COMPLIANT_CELL_INL
 #endif
 
-#include <array>
-
-#include "compliant_kernel.hpp"
-#include "lanes-inl.hpp"
+#include "compliant_springs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::compliant_kernel {
@@ -25,164 +22,43 @@ namespace HWY_NAMESPACE {
 using namespace kernel::HWY_NAMESPACE;
 
 using Layer = CompliantCoefficients::Layer;
-using conductor::SpringChain;
 
 /// Newton's method ends after a handful of rounds.
 constexpr int most_rounds = 100;
 /// The residual of a wire is a sum of some tens of forces: what rounding leaves of it, over the sum of their sizes.
 constexpr double rounding_of_a_wire = 4e-15;
-/// A spring that stands at its limit counts as stuck, whatever the last digits say.
-constexpr double still_stuck = 1 + 1e-13;
 
-/// The same number on both sides of the neutral plane: tension grows with q on the first, falls on the second.
-struct Sides {
-  V t, c;
-};
-struct SideMasks {
-  Mask t, c;
-};
-
-HWY_INLINE Sides both(V x) {
-  return {x, x};
-}
-HWY_INLINE Sides both(double x) {
-  return both(set(x));
-}
-HWY_INLINE Sides add(const Sides& x, const Sides& y) {
-  return {hn::Add(x.t, y.t), hn::Add(x.c, y.c)};
-}
-HWY_INLINE Sides sub(const Sides& x, const Sides& y) {
-  return {hn::Sub(x.t, y.t), hn::Sub(x.c, y.c)};
-}
-HWY_INLINE Sides mul(const Sides& x, const Sides& y) {
-  return {hn::Mul(x.t, y.t), hn::Mul(x.c, y.c)};
-}
-HWY_INLINE Sides div(const Sides& x, const Sides& y) {
-  return {hn::Div(x.t, y.t), hn::Div(x.c, y.c)};
-}
-/// x y + z, z - x y
-HWY_INLINE Sides mul_add(const Sides& x, const Sides& y, const Sides& z) {
-  return {hn::MulAdd(x.t, y.t, z.t), hn::MulAdd(x.c, y.c, z.c)};
-}
-HWY_INLINE Sides neg_mul_add(const Sides& x, const Sides& y, const Sides& z) {
-  return {hn::NegMulAdd(x.t, y.t, z.t), hn::NegMulAdd(x.c, y.c, z.c)};
-}
-HWY_INLINE Sides neg(const Sides& x) {
-  return {hn::Neg(x.t), hn::Neg(x.c)};
-}
-HWY_INLINE Sides absolute(const Sides& x) {
-  return {hn::Abs(x.t), hn::Abs(x.c)};
-}
-HWY_INLINE Sides larger(const Sides& x, const Sides& y) {
-  return {hn::Max(x.t, y.t), hn::Max(x.c, y.c)};
-}
-HWY_INLINE SideMasks above(const Sides& x, const Sides& y) {
-  return {hn::Gt(x.t, y.t), hn::Gt(x.c, y.c)};
-}
-HWY_INLINE SideMasks both_of(const SideMasks& x, const SideMasks& y) {
-  return {hn::And(x.t, y.t), hn::And(x.c, y.c)};
-}
-HWY_INLINE SideMasks one_of(const SideMasks& x, const SideMasks& y) {
-  return {hn::Or(x.t, y.t), hn::Or(x.c, y.c)};
-}
-/// y and not x
-HWY_INLINE SideMasks without(const SideMasks& x, const SideMasks& y) {
-  return {hn::AndNot(x.t, y.t), hn::AndNot(x.c, y.c)};
-}
-HWY_INLINE bool all_true(const SideMasks& x) {
-  return hn::AllTrue(tag, hn::And(x.t, x.c));
-}
-HWY_INLINE Sides choose(const SideMasks& first, const Sides& x, const Sides& y) {
-  return {hn::IfThenElse(first.t, x.t, y.t), hn::IfThenElse(first.c, x.c, y.c)};
-}
-HWY_INLINE Sides if_else_zero(const SideMasks& mask, const Sides& x) {
-  return {hn::IfThenElseZero(mask.t, x.t), hn::IfThenElseZero(mask.c, x.c)};
-}
-
-/// A row of lanes per layer and side.
+/// A register per layer and side. They lie in place: a pointer to them would be read again after every store.
 class PerLayer {
  public:
-  explicit PerLayer(std::size_t layers) : rows_(2 * layers * block_lanes) {}
   HWY_INLINE Sides operator[](std::size_t layer) const {
-    const double* at = rows_.data() + 2 * layer * block_lanes;
-    return {hn::Load(tag, at), hn::Load(tag, at + block_lanes)};
+    const double* at = rows_ + 2 * layer * width;
+    return {hn::Load(tag, at), hn::Load(tag, at + width)};
   }
   HWY_INLINE void set(std::size_t layer, const Sides& value) {
-    double* at = rows_.data() + 2 * layer * block_lanes;
+    double* at = rows_ + 2 * layer * width;
     hn::Store(value.t, tag, at);
-    hn::Store(value.c, tag, at + block_lanes);
+    hn::Store(value.c, tag, at + width);
   }
 
  private:
-  AlignedVector rows_;
+  static constexpr std::size_t width = hn::MaxLanes(tag);
+  alignas(64) double rows_[2 * most_layers * width] = {};
 };
-
-/// The springs of an interface under a trial slip.
-struct Traction {
-  Sides sum;      // of the springs' forces
-  Sides holding;  // [-] the part of the stiffness that holds
-  Sides sliding;  // [-] the part of the limit that sliding springs carry, signed
-};
-
-/// One side of it.
-struct Springs {
-  V held, holding, sliding;
-
-  HWY_INLINE void add(V kappa, V phi, V K_slip, V reach, const double* f) {
-    const V trial = hn::MulAdd(kappa, K_slip, hn::Load(tag, f));
-    // A limit of zero holds nothing, not even a trial of zero.
-    const Mask holds = hn::Lt(hn::Abs(trial), hn::Mul(phi, reach));
-    held = hn::Add(held, hn::IfThenElseZero(holds, trial));
-    holding = hn::Add(holding, hn::IfThenElseZero(holds, kappa));
-    sliding = hn::Add(sliding, hn::IfThenZeroElse(holds, hn::CopySign(phi, trial)));
-  }
-};
-
-HWY_INLINE Traction traction_of(const std::array<SpringChain, 2>& chains, const double* f, std::size_t other_side,
-                                const Sides& K_slip, const Sides& limit) {
-  const V zero = hn::Zero(tag);
-  const Sides reach = mul(limit, both(still_stuck));
-  Springs t{zero, zero, zero};
-  Springs c{zero, zero, zero};
-  for (std::size_t i = 0; i < chains[0].limit.size(); ++i, f += block_lanes) {
-    t.add(set(chains[0].stiffness[i]), set(chains[0].limit[i]), K_slip.t, reach.t, f);
-    c.add(set(chains[1].stiffness[i]), set(chains[1].limit[i]), K_slip.c, reach.c, f + other_side);
-  }
-  const Sides sliding{t.sliding, c.sliding};
-  return {mul_add(limit, sliding, {t.held, c.held}), {t.holding, c.holding}, sliding};
-}
 
 /// One angle: where its springs lie, and what it is given.
 struct Cell {
   std::size_t angle;        // of a quarter turn
   const double* springs;    // committed: tension side before compression, per interface its traction and its springs
   const double* stiffness;  // [interface] K, rows of lanes
+  bool windows;             // of springs that need no look, as registers of this width have left them
   Sides e_step;             // [1/m] what the angle sees of the curvature's step
-  Sides e_last;             // [1/m] and of the last committed one
+  Sides onward;             // [-] the step over the last committed one: `onward`
 };
 
 /// The unknowns of a cell and what belongs to them. `load` is given: the load of the inner contact without the cell's
 /// own gradients.
 struct Wires {
-  explicit Wires(std::size_t layers)
-      : load(layers),
-        demand(layers),
-        slip(layers),
-        across(layers),
-        limit(layers),
-        traction(layers),
-        q(layers),
-        residual(layers),
-        elastic(layers),
-        holding(layers),
-        follow(layers),
-        handed(layers),
-        step(layers),
-        base(layers),
-        inverse(layers),
-        by_inner(layers),
-        load_by_slip(layers) {}
-
   PerLayer load;                             // [N/m]
   PerLayer demand;                           // [N/m] gradient were no wire to slip in this step
   PerLayer slip;                             // [m] u of the step
@@ -225,8 +101,8 @@ HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, W
     const Sides mu = both(c.planar.layers[i].mu_int);
     const Sides limit = mul(mu, load);
     const Sides K = both(hn::Load(tag, cell.stiffness + i * block_lanes));
-    const Traction t = traction_of(layer.chains[cell.angle], cell.springs + i * rows + first_spring * block_lanes,
-                                   layers * rows, mul(K, across), limit);
+    const Traction t = traction_of(layer.chains[cell.angle], {cell.springs + i * rows, layers * rows}, cell.windows,
+                                   mul(K, across), limit);
     const Sides q = mul_add(both(layer.traction_of_outer), outside, t.sum);
     const Sides residual = sub(q, wanted);
     Sides size = mul_add(both(layer.load_of_outer), limit_outside, limit);
@@ -359,20 +235,32 @@ HWY_INLINE void begin(const CompliantCoefficients& c, const Cell& cell, Wires& w
   }
 }
 
-/// A first guess: where curvature goes on as in the last step, the same springs slide; where it turns back, none does.
+/// A step over the one before where it goes on like that, else zero.
+HWY_INLINE V onward(V step, V before) {
+  const V least = hn::Mul(set(0.1), hn::Abs(step));
+  const Mask like = hn::And(hn::Gt(hn::Mul(step, before), hn::Zero(tag)), hn::Gt(hn::Abs(before), least));
+  return hn::IfThenElseZero(like, hn::Div(step, hn::IfThenElse(like, before, set(1))));
+}
+
+/// A first guess: where curvature goes on as in the last step, wires slip as in that; where it turns back, no spring
+/// slides.
 HWY_INLINE void guess(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
+  const std::size_t layers = c.layers.size();
   const std::size_t rows = rows_of_interface(c) * block_lanes;
-  const SideMasks goes_on = above(mul(cell.e_step, cell.e_last), both(0));
-  for (std::size_t i = 0; i < c.layers.size(); ++i) {
-    const double* held = cell.springs + i * rows + holding * block_lanes;
-    const Sides before{hn::Load(tag, held), hn::Load(tag, held + c.layers.size() * rows)};
-    const Sides K = both(hn::Load(tag, cell.stiffness + i * block_lanes));
-    w.elastic.set(i, mul(K, choose(goes_on, before, both(1))));
-    w.follow.set(i, both(0));
-    w.handed.set(i, both(0));
+  const SideMasks goes_on = above(cell.onward, both(0));
+  if (!all_true(goes_on)) {
+    for (std::size_t i = 0; i < layers; ++i) {
+      w.elastic.set(i, both(hn::Load(tag, cell.stiffness + i * block_lanes)));
+      w.follow.set(i, both(0));
+      w.handed.set(i, both(0));
+    }
+    eliminate(c, w);
+    substitute(c, w, w.residual, w.slip);
   }
-  eliminate(c, w);
-  substitute(c, w, w.residual, w.slip);
+  for (std::size_t i = 0; i < layers; ++i) {
+    const Sides before = InterfaceAt{cell.springs + i * rows, layers * rows}[last_slip];
+    w.slip.set(i, choose(goes_on, mul(cell.onward, before), w.slip[i]));
+  }
 }
 
 /// Solves a cell from the slips at hand. The potential of its springs is convex with a piecewise linear slope: Newton's

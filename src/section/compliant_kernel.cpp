@@ -14,13 +14,13 @@ namespace HWY_NAMESPACE {
 /// What the march knows of the whole point.
 struct Point {
   V eps, chi_step;  // chi_step since the last commit
-  V last_step;
+  V onward;
+  bool windows;
 };
 
 /// What a march works in; made once per call.
 struct Bench {
-  explicit Bench(const CompliantCoefficients& c)
-      : wires(c.layers.size()), edge(c.layers.size()), by_chi(c.layers.size()), by_eps(c.layers.size()), contacts(c) {}
+  explicit Bench(const CompliantCoefficients& c) : contacts(c) {}
   Wires wires;
   PerLayer edge;  // [N] bending force of every layer's wires at the cell's edge
   Derivatives by_chi, by_eps;
@@ -71,8 +71,9 @@ HWY_INLINE Dual<kTangent> march(const CompliantCoefficients& c, const Point& at,
     const Cell cell{.angle = angle,
                     .springs = springs,
                     .stiffness = bench.contacts.now.data(),
+                    .windows = at.windows,
                     .e_step = both(hn::Mul(set(cosine), at.chi_step)),
-                    .e_last = both(hn::Mul(set(cosine), at.last_step))};
+                    .onward = both(at.onward)};
     load_of(c, at.eps, bench);
     begin(c, cell, w);
     guess(c, cell, w);
@@ -97,7 +98,11 @@ HWY_INLINE Dual<kTangent> march(const CompliantCoefficients& c, const Point& at,
 
 /// Points of one register, from their last commit to this state.
 HWY_INLINE Point point_at(const double* row, V eps, V chi) {
-  return {.eps = eps, .chi_step = hn::Sub(chi, Rows{row}[committed_chi]), .last_step = Rows{row}[last_step]};
+  const V step = hn::Sub(chi, Rows{row}[committed_chi]);
+  return {.eps = eps,
+          .chi_step = step,
+          .onward = onward(step, Rows{row}[last_step]),
+          .windows = same_registers(row + lanes * block_lanes)};
 }
 
 template <bool kTangent>
@@ -133,6 +138,7 @@ void commit_here(const CompliantCoefficients& c, double* history, const Strains&
     hn::Store(hn::Sub(chi, Rows{row}[committed_chi]), tag, row + last_step * block_lanes);
     hn::Store(chi, tag, row + committed_chi * block_lanes);
     hn::Store(hn::Max(eps, hn::Load(tag, peak)), tag, peak);
+    hn::Store(register_width(), tag, row + lanes * block_lanes);
     book(out, here, twice_linear_energy(c.planar, eps, chi), sums.stored, sums.dissipated,
          hn::Max(hn::Zero(tag), sums.quadrature_error()));
   }

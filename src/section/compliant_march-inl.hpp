@@ -8,7 +8,6 @@
 #endif
 
 #include "compliant_cell-inl.hpp"
-#include "slip_energy-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::section::compliant_kernel {
@@ -58,7 +57,6 @@ struct Feed {
 
 /// Derivatives by one thing along the march.
 struct Derivatives {
-  explicit Derivatives(std::size_t layers) : edge(layers), direct(layers), rhs(layers), slip(layers), q(layers) {}
   PerLayer edge;    // of the bending force at the cell's edge
   PerLayer direct;  // of the tractions while no wire slips
   PerLayer rhs, slip;
@@ -110,40 +108,6 @@ HWY_INLINE void let_slip(const CompliantCoefficients& c, const Wires& w, Derivat
   }
 }
 
-/// Stiffness of an interface after the step, and its inverses.
-struct Rigidity {
-  HWY_INLINE Rigidity(V before, V after) : K(after), per_K(inverse(after)) {
-    widening = hn::Mul(set(0.5), hn::Max(hn::Zero(tag), hn::Sub(inverse(before), per_K)));
-  }
-  static HWY_INLINE V inverse(V x) {
-    const Mask some = hn::Gt(x, hn::Zero(tag));
-    return hn::IfThenElseZero(some, hn::Div(set(1), hn::IfThenElse(some, x, set(1))));
-  }
-  V K, per_K;
-  V widening;  // what a spring's square of force loses as K grows
-};
-
-/// Moves the springs of one interface to their new forces; adds their energies, in units of `weight`.
-HWY_INLINE void settle(const SpringChain& chain, double* f, const Rigidity& K, V across, V limit, V weight,
-                       SlipEnergy& sums) {
-  const V K_slip = hn::Mul(K.K, across);
-  const V half_per_K = hn::Mul(set(0.5), K.per_K);
-  for (std::size_t i = 0; i < chain.limit.size(); ++i, f += block_lanes) {
-    const V before = hn::Load(tag, f);
-    const V trial = hn::MulAdd(set(chain.stiffness[i]), K_slip, before);
-    const V most = hn::Mul(set(chain.limit[i]), limit);
-    const V now = clip(trial, most);
-    const V part = hn::Mul(weight, set(1 / chain.stiffness[i]));
-    Slide slide = slide_of(before, trial, now, K.per_K);
-    const V by_widening = hn::Mul(K.widening, hn::Mul(before, before));
-    slide.loss = hn::Add(slide.loss, by_widening);
-    slide.trapezoid = hn::Add(slide.trapezoid, by_widening);
-    sums.lose(part, slide);
-    sums.stored = hn::MulAdd(part, hn::Mul(half_per_K, hn::Mul(now, now)), sums.stored);
-    hn::Store(now, tag, f);
-  }
-}
-
 /// Commits a solved cell: its springs, of which `springs` is where they are written; stiffness of the interfaces before
 /// and after. A point of the cell counts `share` of the layers' weights.
 HWY_INLINE void settle(const CompliantCoefficients& c, const Cell& cell, const Wires& w, double* springs,
@@ -153,19 +117,15 @@ HWY_INLINE void settle(const CompliantCoefficients& c, const Cell& cell, const W
   double* f_other = f + c.layers.size() * rows;
   for (std::size_t i = 0; i < c.layers.size(); ++i, f += rows, f_other += rows) {
     const PlanarLayer& p = c.planar.layers[i];
-    const std::array<SpringChain, 2>& chains = c.layers[i].chains[cell.angle];
     const Rigidity K(hn::Load(tag, K_before + i * block_lanes), hn::Load(tag, cell.stiffness + i * block_lanes));
     const V weight = set(share * p.weight * c.layers[i].k_w / p.k);
     const Sides total = w.traction[i];
-    const Sides held = w.holding[i];
-    const Sides across = w.across[i];
-    const Sides limit = w.limit[i];
+    const Sides slip = w.slip[i];
     hn::Store(total.t, tag, f + traction * block_lanes);
     hn::Store(total.c, tag, f_other + traction * block_lanes);
-    hn::Store(held.t, tag, f + holding * block_lanes);
-    hn::Store(held.c, tag, f_other + holding * block_lanes);
-    settle(chains[0], f + first_spring * block_lanes, K, across.t, limit.t, weight, sums);
-    settle(chains[1], f_other + first_spring * block_lanes, K, across.c, limit.c, weight, sums);
+    hn::Store(slip.t, tag, f + last_slip * block_lanes);
+    hn::Store(slip.c, tag, f_other + last_slip * block_lanes);
+    settle_springs(c.layers[i].chains[cell.angle], f, c.layers.size() * rows, cell.windows, K, w.across[i], w.limit[i], weight, sums);
     const Sides q = w.q[i];
     sums.store(set(share * p.weight / p.k / 2), q.t);
     sums.store(set(share * p.weight / p.k / 2), q.c);

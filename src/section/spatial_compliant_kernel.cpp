@@ -20,14 +20,13 @@ struct Trial {
   V last2, last3;  // and in the last committed step
   V neutral;       // in cells
   const double* cells;
+  bool windows;  // see Cell
 };
 
 /// What a march works in; made once per call. Columns: by the four strains, then by start and mean of every layer.
 struct Bench {
   explicit Bench(const SpatialCompliantCoefficients& c)
-      : wires(c.angle.layers.size()),
-        edge(c.angle.layers.size()),
-        start(c.angle.layers.size()),
+      : start(c.angle.layers.size()),
         sums(c.angle.layers.size()),
         variation(c.angle.layers.size()),
         at_neutral(c.angle.layers.size()),
@@ -99,8 +98,10 @@ HWY_INLINE void march(const SpatialCompliantCoefficients& c, const Trial& trial,
     const Cell cell{.angle = n < quarter ? n : c.cosine.size() - 1 - n,
                     .springs = springs,
                     .stiffness = bench.contacts.now.data(),
+                    .windows = trial.windows,
                     .e_step = {hn::Add(along, across), hn::Sub(along, across)},
-                    .e_last = {hn::Add(along_last, across_last), hn::Sub(along_last, across_last)}};
+                    .onward = {onward(hn::Add(along, across), hn::Add(along_last, across_last)),
+                               onward(hn::Sub(along, across), hn::Sub(along_last, across_last))}};
     load_of(c, trial.to, bench);
     begin(c.angle, cell, w);
     const std::size_t first_slip = 2 * layers * n;
@@ -251,7 +252,8 @@ HWY_INLINE Trial trial_of(const SpatialCompliantCoefficients& c, const double* r
           .last2 = at[last_step2],
           .last3 = at[last_step3],
           .neutral = neutral_cell(c.points, chi2, chi3, at[neutral]),
-          .cells = row + first_cell(c) * block_lanes};
+          .cells = row + first_cell(c) * block_lanes,
+          .windows = compliant_kernel::HWY_NAMESPACE::same_registers(row + lanes * block_lanes)};
 }
 
 void respond_here(const SpatialCompliantCoefficients& c, const double* history, const SpatialStrains& strains,
@@ -295,6 +297,7 @@ void commit_here(const SpatialCompliantCoefficients& c, double* history, const S
     keep(committed_chi2, trial.to[Component::bending2]);
     keep(committed_chi3, trial.to[Component::bending3]);
     keep(neutral, trial.neutral);
+    keep(lanes, register_width());
     keep(peak_strain, hn::Max(trial.to[Component::axial], Rows{row}[peak_strain]));
     book(out, here, twice_linear_energy(c, trial.to), sums.stored, sums.dissipated,
          hn::Max(hn::Zero(tag), sums.quadrature_error()));

@@ -18,6 +18,7 @@ enum Row : std::size_t {
   last_step3,
   neutral,      ///< neutral angle in cells, from 0 to N/2
   peak_strain,  ///< [-] the largest committed axial strain
+  lanes,        ///< width of the registers that committed, for the windows of springs
   stiffness     ///< [N/m^2] of the interfaces at that strain
 };
 

@@ -85,7 +85,7 @@ HWY_INLINE V joint_of(const PerLayer& edge, std::size_t layer) {
 
 /// Derivatives by one thing: a strain, or an unknown.
 struct Column {
-  explicit Column(std::size_t layers) : by(layers), sums(layers) {}
+  explicit Column(std::size_t layers) : sums(layers) {}
   Derivatives by;
   Sums sums;
   std::size_t start_of = Feed::no_layer;  // an unknown: the start or the mean of a layer

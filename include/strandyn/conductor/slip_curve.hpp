@@ -11,7 +11,7 @@ namespace strandyn::conductor {
 /// The springs of one contact, from the smallest limit to the largest.
 struct SpringChain {
   std::vector<double> stiffness;  ///< [-] kappa_i, parts of the contact's first stiffness
-  std::vector<double> limit;      ///< [-] phi_i, parts of its friction limit
+  std::vector<double> limit;      ///< [-] phi_i, parts of its friction limit: multiples of 2^-52, whose sums are exact
 };
 
 /// Traction over its limit, and its slope, against x = u/u_star in [0, 1]: the virgin curve of a contact.

@@ -65,6 +65,33 @@ struct CompliantOptions {
 /// What is wrong with the options, in words, or nothing.
 std::optional<std::string> find_fault(const CompliantOptions& options);
 
+/// The springs of a contact on both sides of the neutral plane, from the smallest limit to the largest, a row each and one
+/// more, and sums and bounds over them that spare a look at each. Sums go from the largest spring down.
+class SpringTable {
+ public:
+  enum Column : std::size_t {
+    kappa,       ///< [-] part of the contact's first stiffness
+    phi,         ///< [-] part of its limit
+    per_kappa,   ///< [-]
+    per_phi,     ///< [-]
+    pull,        ///< [-] kappa/phi
+    kappa_from,  ///< [-] sum of kappa of the springs from this one on
+    pull_from,   ///< [-] and their largest pull
+    pull_below,  ///< [-] smallest pull of the springs below this one
+    phi_below,   ///< [-] the sum of their phi
+    columns
+  };
+  static constexpr std::size_t row_length = 2 * columns;  ///< tension side, compression side, column by column
+
+  explicit SpringTable(const std::array<conductor::SpringChain, 2>& sides);
+  std::size_t springs() const { return springs_; }
+  const double* row(std::size_t spring) const { return rows_.data() + spring * row_length; }
+
+ private:
+  std::size_t springs_;
+  std::vector<double> rows_;
+};
+
 struct CompliantCoefficients {
   /// A layer and the interface inside it.
   struct Layer {
@@ -75,8 +102,7 @@ struct CompliantCoefficients {
     double traction_of_outer = 0;  ///< [-] a: h where the lays cross, -h where they are equal
     double slip_of_inner = 0;      ///< [-] c: what a slip of the layer inside adds to that of the interface
     conductor::Interface face;
-    std::vector<std::array<conductor::SpringChain, 2>>
-        chains;  ///< at a midpoint of a quarter turn, of either half turn
+    std::vector<SpringTable> chains;  ///< at a midpoint of a quarter turn
   };
   PlanarCoefficients planar;
   std::vector<Layer> layers;  ///< outermost first, like planar.layers

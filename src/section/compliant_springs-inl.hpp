@@ -1,0 +1,269 @@
+// The springs of one interface, on both sides of the neutral plane: their traction under a trial slip, and what a commit
+// does to them. Included once per instruction set.
+//
+// Most springs need no look: the smallest slide on, the largest stay stuck. So a commit leaves for each interface a
+// window of springs, one for all points of a register and both sides: those below `slid_to` stood at their limit, pushed
+// on by the step, those from `stuck_from` on had room. With d = K w, limits L_n then and L now, y_i = f_i/phi_i and
+// p_i = kappa_i/phi_i, spring i
+//     stays stuck if  |y_i + p_i d| < L,      slides if  y_i + p_i d > L  or  < -L
+// For all stuck ones max(|y_i| + p_i d_max) is kept, for a d_max larger than the last step. For all sliding ones
+// |y_i| = L_n, and the extremes of p_i tell. If either does not do, its springs are looked at one by one. Either way
+// sums come out the same to the bit, so that a point does not feel which of the two its neighbours asked for: forces and
+// stiffness are summed from the largest spring down, and parts of the limit have so few digits that no order matters.
+#if defined(STRANDYN_SECTION_COMPLIANT_SPRINGS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef STRANDYN_SECTION_COMPLIANT_SPRINGS_INL
+#undef STRANDYN_SECTION_COMPLIANT_SPRINGS_INL
+#else
+#define STRANDYN_SECTION_COMPLIANT_SPRINGS_INL
+#endif
+
+#include "compliant_kernel.hpp"
+#include "sides-inl.hpp"
+#include "slip_energy-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace strandyn::section::compliant_kernel {
+namespace HWY_NAMESPACE {
+using namespace kernel::HWY_NAMESPACE;
+
+/// What a row of a table holds for either side.
+HWY_INLINE Sides at_column(const double* row, SpringTable::Column column) {
+  return {set(row[2 * column]), set(row[2 * column + 1])};
+}
+
+/// A spring that stands at its limit counts as stuck, whatever the last digits say.
+constexpr double still_stuck = 1 + 1e-13;
+/// Beyond that it surely slides.
+constexpr double surely_slides = 1 + 1e-12;
+/// Room of the springs that need no look, in last steps of slip and of limit: the next one may be a larger one.
+constexpr double steps_of_room = 2.5;
+
+/// The springs of an interface under a trial slip.
+struct Traction {
+  Sides sum;      // of the springs' forces
+  Sides holding;  // [-] the part of the stiffness that holds
+  Sides sliding;  // [-] the part of the limit that sliding springs carry, signed
+};
+
+/// The rows of an interface at a midpoint on the tension side, and how far on those of the compression side are.
+struct InterfaceAt {
+  const double* at;
+  std::size_t other_side;
+  HWY_INLINE Sides operator[](std::size_t row) const {
+    const double* here = at + row * block_lanes;
+    return {hn::Load(tag, here), hn::Load(tag, here + other_side)};
+  }
+  /// One for all lanes.
+  HWY_INLINE Window window_of(std::size_t springs) const {
+    return Window::unpack(at[window * block_lanes], springs);
+  }
+};
+
+/// What a commit notes of its registers, and whether it was made with ones like these: a history may come from another
+/// machine.
+HWY_INLINE V register_width() {
+  return set(static_cast<double>(hn::Lanes(tag)));
+}
+HWY_INLINE bool same_registers(const double* lanes_row) {
+  return *lanes_row == static_cast<double>(hn::Lanes(tag));
+}
+
+/// Sums over springs.
+struct Springs {
+  Sides held, holding, sliding;
+
+  HWY_INLINE void add(const double* row, const Sides& K_slip, const Sides& reach, const Sides& f) {
+    const Sides kappa = at_column(row, SpringTable::kappa);
+    const Sides phi = at_column(row, SpringTable::phi);
+    const Sides trial = mul_add(kappa, K_slip, f);
+    // A limit of zero holds nothing, not even a trial of zero.
+    const SideMasks holds = above(mul(phi, reach), absolute(trial));
+    held = kernel::HWY_NAMESPACE::add(held, if_else_zero(holds, f));
+    holding = kernel::HWY_NAMESPACE::add(holding, if_else_zero(holds, kappa));
+    sliding = kernel::HWY_NAMESPACE::add(sliding, zero_if(holds, turned_as(phi, trial)));
+  }
+};
+
+/// Whether all springs that had room stay stuck.
+HWY_INLINE bool have_room(const InterfaceAt& face, const Sides& K_slip, const Sides& limit) {
+  return all_true(
+      both_of(not_above(absolute(K_slip), absolute(face[next_step])), above(limit, face[needed])));
+}
+
+/// Whether all springs below that row slide, and to which side.
+HWY_INLINE bool slide_below(const SpringTable& table, const double* row, const InterfaceAt& face, const Sides& K_slip,
+                            const Sides& limit, Sides& sign) {
+  sign = with_sign_of(both(1), face[next_step]);
+  const Sides along = times_sign(K_slip, sign);
+  const Sides least = at_column(row, SpringTable::pull_below);
+  const Sides most = at_column(table.row(0), SpringTable::pull_from);
+  const Sides then = face[limit_then];
+  const Sides needed = mul(limit, both(surely_slides));
+  const SideMasks forward = above(along, both(0));
+  const SideMasks goes_on = above(mul_add(choose(forward, least, most), along, then), needed);
+  const SideMasks turns = above(neg(needed), mul_add(least, along, then));
+  if (!all_true(one_of(goes_on, turns))) return false;
+  sign = choose(goes_on, sign, neg(sign));
+  return true;
+}
+
+/// `windows`: whether a commit has left the sums for registers of this width.
+HWY_INLINE Traction traction_of(const SpringTable& table, const InterfaceAt& face, bool windows, const Sides& K_slip,
+                                const Sides& limit) {
+  const std::size_t springs = table.springs();
+  Springs sum{both(0), both(0), both(0)};
+  Window look{0, springs};
+  if (windows) {
+    look = face.window_of(springs);
+    const double* row = table.row(look.stuck_from);
+    if (have_room(face, K_slip, limit)) {
+      sum.held = face[held_there];
+      sum.holding = at_column(row, SpringTable::kappa_from);
+    } else {
+      look.stuck_from = springs;
+    }
+    if (look.slid_to > 0) {
+      row = table.row(look.slid_to);
+      Sides sign;
+      if (slide_below(table, row, face, K_slip, limit, sign)) {
+        sum.sliding = mul(sign, at_column(row, SpringTable::phi_below));
+      } else {
+        look.slid_to = 0;
+      }
+    }
+  }
+  const Sides reach = mul(limit, both(still_stuck));
+  const double* row = table.row(look.stuck_from);
+  for (std::size_t i = look.stuck_from; i-- > look.slid_to;) {
+    row -= SpringTable::row_length;
+    sum.add(row, K_slip, reach, face[first_spring + i]);
+  }
+  return {mul_add(limit, sum.sliding, mul_add(sum.holding, K_slip, sum.held)), sum.holding, sum.sliding};
+}
+
+/// Stiffness of an interface after the step, and its inverses.
+struct Rigidity {
+  HWY_INLINE Rigidity(V before, V after) : K(after), per_K(inverse(after)) {
+    widening = hn::Mul(set(0.5), hn::Max(hn::Zero(tag), hn::Sub(inverse(before), per_K)));
+  }
+  static HWY_INLINE V inverse(V x) {
+    const Mask some = hn::Gt(x, hn::Zero(tag));
+    return hn::IfThenElseZero(some, hn::Div(set(1), hn::IfThenElse(some, x, set(1))));
+  }
+  V K, per_K;
+  V widening;  // what a spring's square of force loses as K grows
+};
+
+/// Energies of the springs of an interface, over what `add_to` multiplies them by.
+struct SpringEnergy {
+  V stored, lost, trapezoid, widened;
+
+  HWY_INLINE void store(const Sides& per_kappa, const Sides& now) {
+    const Sides twice = mul(mul(now, now), per_kappa);
+    stored = hn::Add(stored, hn::Add(twice.t, twice.c));
+  }
+  HWY_INLINE void lose(const Sides& per_kappa, const Sides& before, const Sides& trial, const Sides& now) {
+    const Sides slip = mul(per_kappa, sub(trial, now));
+    const Sides at_mean = mul(mul(both(0.5), add(now, before)), slip);
+    const Sides most = larger(mul(now, slip), at_mean);
+    lost = hn::Add(lost, hn::Add(most.t, most.c));
+    trapezoid = hn::Add(trapezoid, hn::Add(at_mean.t, at_mean.c));
+  }
+  HWY_INLINE void widen(const Sides& per_kappa, const Sides& before) {
+    const Sides part = mul(mul(before, before), per_kappa);
+    widened = hn::Add(widened, hn::Add(part.t, part.c));
+  }
+  HWY_INLINE void add_to(SlipEnergy& sums, const Rigidity& K, V weight) const {
+    const V by_widening = hn::Mul(K.widening, widened);
+    sums.dissipated = hn::MulAdd(weight, hn::MulAdd(K.per_K, lost, by_widening), sums.dissipated);
+    sums.trapezoid = hn::MulAdd(weight, hn::MulAdd(K.per_K, trapezoid, by_widening), sums.trapezoid);
+    sums.stored = hn::MulAdd(hn::Mul(weight, hn::Mul(set(0.5), K.per_K)), stored, sums.stored);
+  }
+};
+
+/// The window that a commit leaves: from the largest spring down as far as all have room.
+struct NextWindow {
+  Sides limit, lowest;    // the least limit that the next step may have
+  Sides step, step_size;  // K w that it may have
+  Sides held, most;       // of those that have room: the sum of their forces, the limit that they need
+  std::size_t stuck_from;
+  bool open = true;
+
+  HWY_INLINE NextWindow(std::size_t springs, const Sides& grown, const Sides& limit_now, const Sides& K_slip)
+      : limit(limit_now), stuck_from(springs) {
+    lowest = sub(limit, absolute(grown));
+    step = mul(both(steps_of_room), K_slip);
+    step_size = absolute(step);
+    held = both(0);
+    most = both(-1e300);
+  }
+  /// One more spring, which has that force now.
+  HWY_INLINE void take(std::size_t spring, const double* row, const Sides& now) {
+    const Sides y = mul(at_column(row, SpringTable::per_phi), absolute(now));
+    const Sides next = larger(most, mul_add(at_column(row, SpringTable::pull), step_size, y));
+    open = all_true(above(lowest, next));
+    if (!open) return;
+    most = next;
+    held = add(held, now);
+    stuck_from = spring;
+  }
+  /// Springs below the others that stand at their limit, pushed on, and outrun it.
+  HWY_INLINE std::size_t slid_to(const SpringTable& table, const InterfaceAt& face, const Sides& grown) const {
+    const Sides signed_limit = with_sign_of(limit, step);
+    const double* row = table.row(0);
+    for (std::size_t i = 0; i < stuck_from; ++i, row += SpringTable::row_length) {
+      const Sides at_limit = mul(signed_limit, at_column(row, SpringTable::phi));
+      const SideMasks outruns = above(mul(at_column(row, SpringTable::pull), step_size), grown);
+      if (!all_true(both_of(outruns, equal(at_limit, face[first_spring + i])))) return i;
+    }
+    return stuck_from;
+  }
+};
+
+/// Moves the springs of one interface and leaves their window. `at` is the row of the interface on the tension side.
+HWY_INLINE void settle_springs(const SpringTable& table, double* at, std::size_t other_side, bool windows, const Rigidity& K,
+                               const Sides& across, const Sides& limit, V weight, SlipEnergy& sums) {
+  const std::size_t springs = table.springs();
+  const auto keep = [&](std::size_t row, const Sides& value) HWY_ATTR {
+    hn::Store(value.t, tag, at + row * block_lanes);
+    hn::Store(value.c, tag, at + row * block_lanes + other_side);
+  };
+  const InterfaceAt face{at, other_side};
+  const Sides K_slip = mul(both(K.K), across);
+  const bool widens = !hn::AllTrue(tag, hn::Eq(K.widening, hn::Zero(tag)));
+  const bool roomy = windows && have_room(face, K_slip, limit);
+  const std::size_t free_from = roomy ? face.window_of(springs).stuck_from : springs;
+  const Sides grown = mul(both(steps_of_room), sub(limit, face[limit_then]));
+  NextWindow next(springs, grown, limit, K_slip);
+  const V zero = hn::Zero(tag);
+  SpringEnergy energy{zero, zero, zero, zero};
+  const double* row = table.row(springs);
+  for (std::size_t i = springs; i-- > 0;) {
+    row -= SpringTable::row_length;
+    const Sides per_kappa = at_column(row, SpringTable::per_kappa);
+    const Sides f = face[first_spring + i];
+    Sides now = mul_add(at_column(row, SpringTable::kappa), K_slip, f);
+    if (widens) energy.widen(per_kappa, f);
+    if (i < free_from) {
+      const Sides most = mul(limit, at_column(row, SpringTable::phi));
+      const Sides trial = now;
+      now = {clip(trial.t, most.t), clip(trial.c, most.c)};
+      energy.lose(per_kappa, f, trial, now);
+    }
+    energy.store(per_kappa, now);
+    keep(first_spring + i, now);
+    if (next.open) next.take(i, row, now);
+  }
+  energy.add_to(sums, K, weight);
+  const Window left{next.slid_to(table, face, grown), next.stuck_from};
+  keep(limit_then, limit);
+  keep(window, both(left.packed()));
+  keep(held_there, next.held);
+  keep(next_step, next.step);
+  keep(needed, next.most);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace strandyn::section::compliant_kernel
+HWY_AFTER_NAMESPACE();
+#endif
