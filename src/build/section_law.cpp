@@ -81,6 +81,11 @@ Made return_map(const Request& r) {
 Made compliant(const Request& r) {
   const casefile::Section& s = r.scene.section;
   const bool in_space = r.dimension == section::Dimension::spatial;
+  if (r.strand->layers.size() > section::most_compliant_layers + 1) {
+    casefile::refuse(r.scene.source, "section.law",
+                     fmt::format("compliant takes {} layers around the core at most", section::most_compliant_layers),
+                     "use return-map");
+  }
   section::CompliantOptions options{.points = s.points, .compliance_scale = s.compliance_scale};
   if (in_space) options.springs = section::springs_in_space;
   options.springs = s.contact_springs.value_or(options.springs);

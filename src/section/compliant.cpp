@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "compliant_kernel.hpp"
@@ -49,7 +50,7 @@ conductor::SlipCurve curve_of(const conductor::Interface& face, double load) {
 std::optional<std::string> find_fault(const CompliantOptions& o) {
   if (o.points < 4 || o.points % 4 != 0) return "points: a positive multiple of 4";
   if (o.springs < 4) return "springs: at least 4";
-  if (!(o.smallest_slip >= 1e-9 && o.smallest_slip <= 0.03)) return "smallest_slip: from 1e-9 to 0.03";
+  if (!(o.smallest_slip >= 1e-6 && o.smallest_slip <= 0.03)) return "smallest_slip: from 1e-6 to 0.03";
   if (!(o.compliance_scale > 0)) return "compliance_scale: above 0; a rigid contact is the law return-map";
   return std::nullopt;
 }
@@ -70,14 +71,12 @@ SpringTable::SpringTable(const std::array<conductor::SpringChain, 2>& sides)
       at(i + 1, pull_below) = std::min(at(i, pull_below), at(i, pull));
       at(i + 1, phi_below) = at(i, phi_below) + at(i, phi);
     }
-    for (std::size_t i = springs_; i-- > 0;) {
-      at(i, kappa_from) = at(i + 1, kappa_from) + at(i, kappa);
-      at(i, pull_from) = std::max(at(i + 1, pull_from), at(i, pull));
-    }
+    for (std::size_t i = springs_; i-- > 0;) at(i, kappa_from) = at(i + 1, kappa_from) + at(i, kappa);
   }
 }
 
 CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, const CompliantOptions& options) {
+  if (strand.layers.size() > most_compliant_layers + 1) throw std::invalid_argument("compliant: too many layers");
   CompliantCoefficients c;
   c.planar = planar_coefficients(strand, options.points);
   c.springs = static_cast<std::size_t>(options.springs);

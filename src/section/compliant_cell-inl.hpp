@@ -43,7 +43,7 @@ class PerLayer {
 
  private:
   static constexpr std::size_t width = hn::MaxLanes(tag);
-  alignas(64) double rows_[2 * most_layers * width] = {};
+  alignas(64) double rows_[2 * most_compliant_layers * width] = {};
 };
 
 /// One angle: where its springs lie, and what it is given.

@@ -2,6 +2,7 @@
 /// \file The march of the compliant law over one batch, compiled once per instruction set (see compliant_kernel.cpp).
 
 #include <algorithm>
+#include <cstdint>
 
 #include "batch_view.hpp"
 #include "strandyn/section/compliant.hpp"
@@ -24,13 +25,13 @@ enum Row : std::size_t {
 
 /// Of one interface at one midpoint.
 enum InterfaceRow : std::size_t {
-  traction,    ///< [N/m]
-  last_slip,   ///< [m] of the wire outside it, along its own demand, in the last step
-  limit_then,  ///< [N/m] its friction limit at the last commit
-  window,      ///< of springs that need no look: `Window`
-  held_there,  ///< [N/m] the sum of the forces of those that have room
-  next_step,   ///< [N/m] K w for which they have it: more than the last step, with its sign
-  needed,      ///< [N/m] the limit that they then need
+  traction,     ///< [N/m]
+  last_slip,    ///< [m] of the wire outside it, along its own demand, in the last step
+  limit_then,   ///< [N/m] its friction limit at the last commit
+  window,       ///< of springs that need no look: `Window`
+  held_there,   ///< [N/m] the sum of the forces of those that have room
+  next_step,    ///< [N/m] K w for which they have it: more than the last step, with its sign
+  needed,       ///< [N/m] the limit that they then need
   first_spring  ///< [N/m] the forces of all springs
 };
 
@@ -41,17 +42,14 @@ struct Window {
   double packed() const { return static_cast<double>(slid_to * base + stuck_from); }
   /// Any number is some window of so many springs.
   static Window unpack(double x, std::size_t springs) {
-    const std::size_t both = x >= 0 && x < base * base ? static_cast<std::size_t>(x) : 0;
-    const std::size_t stuck = std::min(both % base, springs);
-    return {std::min(both / base, stuck), stuck};
+    const std::uint32_t both = x >= 0 && x < base * base ? static_cast<std::uint32_t>(static_cast<std::int32_t>(x)) : 0;
+    const std::size_t stuck = std::min<std::size_t>(both % base, springs);
+    return {std::min<std::size_t>(both / base, stuck), stuck};
   }
 
  private:
-  static constexpr std::size_t base = 1024;  // of springs at most
+  static constexpr std::uint32_t base = 1024;  // of springs at most
 };
-
-/// A register per layer and side has its place without a search.
-constexpr std::size_t most_layers = 12;
 
 inline std::size_t rows_of_interface(const CompliantCoefficients& c) {
   return first_spring + c.springs;

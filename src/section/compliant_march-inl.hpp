@@ -1,5 +1,5 @@
 // What the marches of the compliant laws share, in the plane and in space: stiffness of the interfaces, derivatives of
-// a solved cell, and how the springs are moved and booked at a commit. Included once per instruction set.
+// a solved cell, and how a cell is committed. Included once per instruction set.
 #if defined(STRANDYN_SECTION_COMPLIANT_MARCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef STRANDYN_SECTION_COMPLIANT_MARCH_INL
 #undef STRANDYN_SECTION_COMPLIANT_MARCH_INL
@@ -125,7 +125,8 @@ HWY_INLINE void settle(const CompliantCoefficients& c, const Cell& cell, const W
     hn::Store(total.c, tag, f_other + traction * block_lanes);
     hn::Store(slip.t, tag, f + last_slip * block_lanes);
     hn::Store(slip.c, tag, f_other + last_slip * block_lanes);
-    settle_springs(c.layers[i].chains[cell.angle], f, c.layers.size() * rows, cell.windows, K, w.across[i], w.limit[i], weight, sums);
+    settle_springs(c.layers[i].chains[cell.angle], f, c.layers.size() * rows, cell.windows, K, w.across[i], w.limit[i],
+                   weight, sums);
     const Sides q = w.q[i];
     sums.store(set(share * p.weight / p.k / 2), q.t);
     sums.store(set(share * p.weight / p.k / 2), q.c);

@@ -1,15 +1,16 @@
-// The springs of one interface, on both sides of the neutral plane: their traction under a trial slip, and what a commit
-// does to them. Included once per instruction set.
+// The springs of one interface, on both sides of the neutral plane: their traction under a trial slip, and what a
+// commit does to them. Included once per instruction set.
 //
 // Most springs need no look: the smallest slide on, the largest stay stuck. So a commit leaves for each interface a
-// window of springs, one for all points of a register and both sides: those below `slid_to` stood at their limit, pushed
-// on by the step, those from `stuck_from` on had room. With d = K w, limits L_n then and L now, y_i = f_i/phi_i and
-// p_i = kappa_i/phi_i, spring i
+// window of springs, one for all points of a register and both sides: those below `slid_to` stood at their limit,
+// pushed on by the step, those from `stuck_from` on had room. With d = K w, limits L_n then and L now, y_i = f_i/phi_i
+// and p_i = kappa_i/phi_i, spring i
 //     stays stuck if  |y_i + p_i d| < L,      slides if  y_i + p_i d > L  or  < -L
 // For all stuck ones max(|y_i| + p_i d_max) is kept, for a d_max larger than the last step. For all sliding ones
 // |y_i| = L_n, and the extremes of p_i tell. If either does not do, its springs are looked at one by one. Either way
-// sums come out the same to the bit, so that a point does not feel which of the two its neighbours asked for: forces and
-// stiffness are summed from the largest spring down, and parts of the limit have so few digits that no order matters.
+// sums come out the same to the bit, so that a point does not feel which of the two its neighbours asked for: forces
+// and stiffness are summed from the largest spring down, and parts of the limit have so few digits that no order
+// matters.
 #if defined(STRANDYN_SECTION_COMPLIANT_SPRINGS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef STRANDYN_SECTION_COMPLIANT_SPRINGS_INL
 #undef STRANDYN_SECTION_COMPLIANT_SPRINGS_INL
@@ -54,9 +55,7 @@ struct InterfaceAt {
     return {hn::Load(tag, here), hn::Load(tag, here + other_side)};
   }
   /// One for all lanes.
-  HWY_INLINE Window window_of(std::size_t springs) const {
-    return Window::unpack(at[window * block_lanes], springs);
-  }
+  HWY_INLINE Window window_of(std::size_t springs) const { return Window::unpack(at[window * block_lanes], springs); }
 };
 
 /// What a commit notes of its registers, and whether it was made with ones like these: a history may come from another
@@ -86,8 +85,7 @@ struct Springs {
 
 /// Whether all springs that had room stay stuck.
 HWY_INLINE bool have_room(const InterfaceAt& face, const Sides& K_slip, const Sides& limit) {
-  return all_true(
-      both_of(not_above(absolute(K_slip), absolute(face[next_step])), above(limit, face[needed])));
+  return all_true(both_of(not_above(absolute(K_slip), absolute(face[next_step])), above(limit, face[needed])));
 }
 
 /// Whether all springs below that row slide, and to which side.
@@ -96,7 +94,7 @@ HWY_INLINE bool slide_below(const SpringTable& table, const double* row, const I
   sign = with_sign_of(both(1), face[next_step]);
   const Sides along = times_sign(K_slip, sign);
   const Sides least = at_column(row, SpringTable::pull_below);
-  const Sides most = at_column(table.row(0), SpringTable::pull_from);
+  const Sides most = at_column(table.row(0), SpringTable::pull);
   const Sides then = face[limit_then];
   const Sides needed = mul(limit, both(surely_slides));
   const SideMasks forward = above(along, both(0));
@@ -221,8 +219,8 @@ struct NextWindow {
 };
 
 /// Moves the springs of one interface and leaves their window. `at` is the row of the interface on the tension side.
-HWY_INLINE void settle_springs(const SpringTable& table, double* at, std::size_t other_side, bool windows, const Rigidity& K,
-                               const Sides& across, const Sides& limit, V weight, SlipEnergy& sums) {
+HWY_INLINE void settle_springs(const SpringTable& table, double* at, std::size_t other_side, bool windows,
+                               const Rigidity& K, const Sides& across, const Sides& limit, V weight, SlipEnergy& sums) {
   const std::size_t springs = table.springs();
   const auto keep = [&](std::size_t row, const Sides& value) HWY_ATTR {
     hn::Store(value.t, tag, at + row * block_lanes);

@@ -1,5 +1,5 @@
-// A register of numbers for either side of the neutral plane, worked on side by side: while one waits for a division the
-// other goes on. Included once per instruction set.
+// A register of numbers for either side of the neutral plane, worked on side by side: while one waits for a division
+// the other goes on. Included once per instruction set.
 #if defined(STRANDYN_SECTION_SIDES_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef STRANDYN_SECTION_SIDES_INL
 #undef STRANDYN_SECTION_SIDES_INL

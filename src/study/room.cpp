@@ -13,7 +13,7 @@ namespace {
 // compliant contacts). A point is one of a section; an element has several sections, and each has all points.
 constexpr double per_element = 4e3;
 constexpr double per_point = 120, per_point_of_element = 50;
-constexpr double per_compliant_point = 1000, per_compliant_point_of_element = 600;
+constexpr double per_compliant_point = 1200, per_compliant_point_of_element = 760;
 constexpr double per_study_point = 2e3;  // a row, its line, and its entry in the tables
 constexpr double usual_elements = 100;   // where the program chooses
 // Rows that stay in memory until they are written: by peak memory of runs of 450 000 steps of a loop, 20 000 static

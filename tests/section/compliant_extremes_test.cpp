@@ -80,6 +80,9 @@ TEST_CASE("compliant law: options that cannot be are refused in words") {
   CHECK(find_fault(CompliantOptions{.springs = 3}));
   CHECK(find_fault(CompliantOptions{.smallest_slip = 1}));
   CHECK(find_fault(CompliantOptions{.compliance_scale = 0}));
+  Strand strand = curlew();
+  while (strand.layers.size() <= most_compliant_layers + 1) strand.layers.push_back(strand.layers.back());
+  CHECK_THROWS_AS(CompliantLaw{strand}, std::invalid_argument);
 }
 
 TEST_CASE("compliant law: a small curvature meets the wires and their elastic contacts in series, less than EI_max") {

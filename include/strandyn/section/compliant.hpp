@@ -62,23 +62,25 @@ struct CompliantOptions {
   bool shifted_chains = true;
 };
 
+/// Around the core.
+inline constexpr std::size_t most_compliant_layers = 12;
+
 /// What is wrong with the options, in words, or nothing.
 std::optional<std::string> find_fault(const CompliantOptions& options);
 
-/// The springs of a contact on both sides of the neutral plane, from the smallest limit to the largest, a row each and one
-/// more, and sums and bounds over them that spare a look at each. Sums go from the largest spring down.
+/// The springs of a contact on both sides of the neutral plane, from the smallest limit to the largest, a row each and
+/// one more, and sums and bounds over them that spare a look at each. Sums go from the largest spring down.
 class SpringTable {
  public:
   enum Column : std::size_t {
     kappa,       ///< [-] part of the contact's first stiffness
     phi,         ///< [-] part of its limit
+    pull_below,  ///< [-] smallest kappa/phi of the springs below this one
+    phi_below,   ///< [-] the sum of their phi
+    kappa_from,  ///< [-] sum of kappa of the springs from this one on
+    pull,        ///< [-] kappa/phi
     per_kappa,   ///< [-]
     per_phi,     ///< [-]
-    pull,        ///< [-] kappa/phi
-    kappa_from,  ///< [-] sum of kappa of the springs from this one on
-    pull_from,   ///< [-] and their largest pull
-    pull_below,  ///< [-] smallest pull of the springs below this one
-    phi_below,   ///< [-] the sum of their phi
     columns
   };
   static constexpr std::size_t row_length = 2 * columns;  ///< tension side, compression side, column by column
@@ -89,7 +91,7 @@ class SpringTable {
 
  private:
   std::size_t springs_;
-  std::vector<double> rows_;
+  AlignedVector rows_;
 };
 
 struct CompliantCoefficients {
@@ -110,7 +112,7 @@ struct CompliantCoefficients {
   double compliance_scale = 1;
 };
 
-/// The same for the plane and for space.
+/// The same for the plane and for space. Throws std::invalid_argument beyond `most_compliant_layers`.
 CompliantCoefficients compliant_coefficients(const conductor::Strand& strand, const CompliantOptions& options);
 
 class CompliantLaw final : public Law {
