@@ -12,6 +12,7 @@ using std::numbers::pi;
 namespace {
 
 constexpr Complex i_unit{0, 1};
+constexpr int most_returns = 1;
 
 }  // namespace
 
@@ -33,12 +34,15 @@ void Control::read(const RunReading& r) {
   const double others = (r.driven - plant_.coupling * r.last).real() / r.drive.amplitude;  // R
   const double sine = -4 * omega * plant_.modal_mass * rate_ * others / (plant_.coupling * plant_.coupling);
   constexpr double largest = 0.9;
-  at_shaker_ = std::abs(sine) <= largest;
+  const bool can_be = std::abs(sine) <= largest;
+  if (can_be && !at_shaker_) ++returns_;
+  at_shaker_ = can_be && returns_ <= most_returns;
   if (at_shaker_) phase_wanted_ = 0.5 * std::asin(sine);
 }
 
-double Control::drive_for(double push, double phase) const {
-  return 2 * omega_ * plant_.modal_mass * push / (plant_.coupling * std::cos(phase));
+Drive Control::drive_at(double omega, double push, double phase) const {
+  return {.frequency = omega / (2 * pi),
+          .amplitude = 2 * omega * plant_.modal_mass * push / (plant_.coupling * std::cos(phase))};
 }
 
 double Control::rate_at(double modal_amplitude) const {
@@ -53,8 +57,7 @@ Drive Control::corrected(double time) const {
                       step * (fading * time > 1e-9 ? fading / std::expm1(fading * time) : 1 / time);
   const double turn = std::clamp(phase_ - phase_wanted_, -0.5, 0.5);
   const double phase = std::clamp(phase_wanted_ + turn / 2, -1.0, 1.0);
-  return {.frequency = (omega_ - rate_ * std::tan(phase) + turn / time) / (2 * pi),
-          .amplitude = drive_for(push, phase)};
+  return drive_at(omega_ - rate_ * std::tan(phase) + turn / time, push, phase);
 }
 
 std::vector<double> Control::way_out(std::size_t n, double above) const {
@@ -80,8 +83,7 @@ std::vector<double> Control::way_out(std::size_t n, double above) const {
 }
 
 Drive Control::held() const {
-  return {.frequency = (omega_ - rate_ * std::tan(phase_wanted_)) / (2 * pi),
-          .amplitude = drive_for(rate_at(modal_wanted_) * modal_wanted_, phase_wanted_)};
+  return drive_at(omega_ - rate_ * std::tan(phase_wanted_), rate_at(modal_wanted_) * modal_wanted_, phase_wanted_);
 }
 
 }  // namespace strandyn::laboratory

@@ -14,6 +14,8 @@
 /// point of a force moves by x = c q + R A, the other modes' share with it; it is a quarter behind where
 ///     sin(2 theta*) = -4 w m lambda R/c^2
 /// Beyond 1 there is no such frequency: the damping is too large for a force there, and the antinode is tuned instead.
+/// Tuned there the sine is another one, and may be below 1 again. A first reading is one of a span that has not come to
+/// its swing yet, so it may go back to the shaker once; then the antinode it is. (It went to and fro for 3000 cycles.)
 
 #include <complex>
 #include <vector>
@@ -60,7 +62,7 @@ class Control {
   bool tuned_at_shaker() const { return !plant_.moves && at_shaker_; }
 
  private:
-  double drive_for(double push, double phase) const;
+  Drive drive_at(double omega, double push, double phase) const;
   double rate_at(double modal_amplitude) const;
 
   Plant plant_;
@@ -71,6 +73,7 @@ class Control {
   double phase_ = 0, phase_wanted_ = 0;  // [rad] theta, theta*
   double amplitude_error_ = 1;
   bool at_shaker_ = true;
+  int returns_ = 0;  // to the shaker
 };
 
 }  // namespace strandyn::laboratory

@@ -18,6 +18,9 @@ using std::numbers::pi;
 namespace {
 
 constexpr double phase_tolerance = 0.02;  // [rad]
+// Where a wave loses most of itself on a round trip, the rate of loss is no matter of the mode's amplitude alone, and
+// corrections after few cycles chase each other: too much, too little.
+constexpr int most_reversals = 3;
 
 /// One integration at one drive.
 struct Stretch {
@@ -152,13 +155,17 @@ class Bench {
     return std::abs(control_.amplitude_error()) <= amplitude && std::abs(control_.phase_error()) <= phase;
   }
 
-  /// Corrections of few cycles first; then long ones, gentle enough to leave the other modes alone; then a held drive.
-  /// False where it was stopped.
+  /// Corrections of few cycles first, unless they chase each other; then long ones, gentle enough to leave the other
+  /// modes alone; then a held drive. False where it was stopped.
   bool settle() {
     if (begin().stopped) return !(run_.stopped = true);
+    int reversals = 0;
+    double error_before = control_.amplitude_error();
     for (;;) {
       const double tolerance = keys_.amplitude_tolerance;
-      const bool near = is_within(10 * tolerance, 5 * phase_tolerance);
+      if (control_.amplitude_error() * error_before < 0) ++reversals;
+      error_before = control_.amplitude_error();
+      const bool near = is_within(10 * tolerance, 5 * phase_tolerance) || reversals > most_reversals;
       const bool hold = is_within(tolerance / 2, phase_tolerance / 2);
       const std::size_t cycles = near ? long_stretch_ : short_stretch_;
       if (run_.cost.cycles_until_steady + cycles > static_cast<std::size_t>(keys_.max_cycles)) give_up();
