@@ -149,14 +149,33 @@ LossTable Quadrature::make_table(double tension, const std::vector<Point>& point
   }
   TableAsk ask{.scene = scene_, .state = state, .range = range, .target = *target, .probes = {}};
   ask.stop = stop;
-  for (const Point& point : some_of(points)) {
+  section::Effort effort;
+  for (const Point& point : some_of(losing(points, state, effort))) {
     const CurvatureRange chi = curvatures_of(scene_, numbers_, mass_, point);
     const double least = least_power(point.frequency, point.antinode_amplitude, mass_) / point.frequency;
     ask.probes.push_back({.curvature = chi.lowest, .least_loss = least});
     // Beside the clamps a mode is bent more than in its loops.
     if (goes_over_clamped_modes(scene_)) ask.probes.push_back({.curvature = chi.highest, .least_loss = least});
   }
-  return table_to_target(ask);
+  LossTable table = table_to_target(ask);
+  table.evaluations += effort.evaluations;
+  table.sweeps += effort.sweeps;
+  table.error->section_evaluations += effort.evaluations;
+  return table;
+}
+
+/// The points at which something slips: just above first slip errors are largest.
+std::vector<Point> Quadrature::losing(const std::vector<Point>& points, const SectionState& state,
+                                      section::Effort& effort) const {
+  constexpr int steps = 8;
+  std::vector<double> highest;
+  for (const Point& point : points) highest.push_back(curvatures_of(scene_, numbers_, mass_, point).highest);
+  const std::vector<double> losses = loss_per_cycle(*law_, state, highest, {.steps = steps}, effort);
+  std::vector<Point> some;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (losses[i] > 1e-12 * state.EI_max * highest[i] * highest[i]) some.push_back(points[i]);
+  }
+  return some;
 }
 
 const Quadrature::Table& Quadrature::table_of(double tension) const {

@@ -51,6 +51,7 @@ class Quadrature final : public Method {
   LossTable loss_table(double tension, const std::vector<Point>& points, const Beginning& how) const;
   LossTable make_table(double tension, const std::vector<Point>& points, const CurvatureRange& range,
                        const Stop& stop) const;
+  std::vector<Point> losing(const std::vector<Point>& points, const SectionState& state, section::Effort& effort) const;
   PointResult by_table(const SectionalLoss& loss, const section::MaterialLoss& material, const Point& point) const;
 
   const casefile::Scene& scene_;
