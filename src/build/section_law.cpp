@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "strandyn/conductor/constants.hpp"
 #include "strandyn/section/compliant.hpp"
@@ -121,6 +122,16 @@ const LawRow& row_of(casefile::Law law) {
 
 bool has_wires(casefile::Law law) {
   return row_of(law).has_wires;
+}
+
+bool slips_by_points(casefile::Law law) {
+  return law == casefile::Law::return_map || law == casefile::Law::compliant;
+}
+
+std::optional<int> finer_points(int points) {
+  constexpr std::array steps = {12, 20, 36, 72};
+  const auto finer = std::ranges::upper_bound(steps, points);
+  return finer == steps.end() ? std::nullopt : std::optional(*finer);
 }
 
 std::shared_ptr<const section::Law> build_law(const casefile::Scene& scene, section::Dimension dimension,

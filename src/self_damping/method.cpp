@@ -34,6 +34,10 @@ constexpr std::array entries = {
 
 void Method::begin(const std::vector<Point>&, const Beginning&) {}
 
+std::optional<PointChoice> Method::first_choice(const Point&) const {
+  return std::nullopt;
+}
+
 std::unique_ptr<Method> make_method(DampingMethod word, const Scene& scene) {
   return std::ranges::find(entries, word, &Entry::word)->make(scene);
 }
@@ -67,6 +71,8 @@ std::optional<PointRow> compute_row(const Scene& scene, const Method& method, co
   row.parts = result.parts;
   row.vibration = std::move(result.vibration);
   row.bench = std::move(result.bench);
+  row.error = result.error;
+  row.chosen = result.chosen;
   row.details = std::move(result.details);
   return row;
 }

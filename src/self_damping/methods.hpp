@@ -14,8 +14,11 @@ class PeriodicMethod final : public Method {
   explicit PeriodicMethod(const casefile::Scene& scene);
   PointResult at(const Point& point, const Watch& watch) const override;
   Expected expected(const std::vector<Point>& points) const override;
+  std::optional<PointChoice> first_choice(const Point& point) const override;
 
  private:
+  PointResult to_target(const Point& point, double target, const Watch& watch) const;
+
   const casefile::Scene& scene_;
   span::ResponseOptions options_;
 };

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "methods.hpp"
+#include "periodic_accuracy.hpp"
 #include "strandyn/analysis/methods.hpp"
 
 namespace strandyn::self_damping {
@@ -83,7 +84,22 @@ PeriodicMethod::PeriodicMethod(const Scene& scene) : scene_(scene) {
   build::shaker_of(scene);
 }
 
+PointResult PeriodicMethod::to_target(const Point& point, double target, const Watch& watch) const {
+  try {
+    const PeriodicToTarget reached = periodic_to_target(scene_, point, target, watch);
+    PointResult result = reached.run.converged() ? result_of(*reached.run.shaken, point, reached.run.found)
+                                                 : failed(reached.run.found.solution.failure, reached.run.found);
+    result.effort = reached.effort;
+    result.error = reached.error;
+    result.chosen = reached.chosen;
+    return result;
+  } catch (const Interrupted&) {
+    return {.stopped = true};
+  }
+}
+
 PointResult PeriodicMethod::at(const Point& point, const Watch& watch) const {
+  if (const std::optional<double> target = casefile::target_error(scene_)) return to_target(point, *target, watch);
   const Scene own = build::scene_of_point(scene_, point.ask());
   build::BuiltSpan built = build::build_span(own);
   const build::Shaker shaker = build::find_shaker(own, built);
@@ -100,15 +116,26 @@ PointResult PeriodicMethod::at(const Point& point, const Watch& watch) const {
   return result_of(*shaken, point, found);
 }
 
+std::optional<PointChoice> PeriodicMethod::first_choice(const Point& point) const {
+  const std::optional<double> target = casefile::target_error(scene_);
+  if (!target) return std::nullopt;
+  return choice_of(scene_, first_periodic_setting(scene_, point, *target));
+}
+
 /// Loops of all sections over the samples of a cycle, once for each coefficient of the harmonics and again in the
 /// search for the amplitude: measured 15 times a loop with contacts that give, 75 with rigid ones.
 Expected PeriodicMethod::expected(const std::vector<Point>& points) const {
   const bool gives = scene_.section.law == casefile::Law::compliant;
   Expected expected;
   for (const Point& point : points) {
-    const build::BuiltSpan span = build::build_span(build::scene_of_point(scene_, point.ask()));
-    const double coefficients = 2.0 * options_.harmonics + 1;
-    const double loop = static_cast<double>(span.section_points()) * options_.samples * 4 * coefficients / 11;
+    Scene own = build::scene_of_point(scene_, point.ask());
+    const PointChoice choice = first_choice(point).value_or(PointChoice{});
+    if (choice.elements) own.span->elements = choice.elements;
+    const build::BuiltSpan span = build::build_span(own);
+    const double coefficients = 2.0 * choice.harmonics.value_or(options_.harmonics) + 1;
+    const double estimates = casefile::target_error(scene_) ? 2.5 : 1;
+    const double loop = estimates * static_cast<double>(span.section_points()) *
+                        choice.samples.value_or(options_.samples) * 4 * coefficients / 11;
     expected +=
         gives ? Expected{.least = 4 * loop, .most = 38 * loop} : Expected{.least = 20 * loop, .most = 190 * loop};
   }

@@ -9,6 +9,7 @@
 #include "strandyn/analysis/wind_power.hpp"
 #include "strandyn/core/side_by_side.hpp"
 #include "strandyn/self_damping/mode_loss.hpp"
+#include "table_accuracy.hpp"
 
 namespace strandyn::self_damping {
 
@@ -56,6 +57,16 @@ exact::TensionedBeam beam_of(const Scene& scene, const build::SectionNumbers& nu
           .length = *scene.span->length};
 }
 
+/// Those at which the error of a table is looked for: of rising amplitudes, both ends among them.
+std::vector<Point> some_of(std::vector<Point> points) {
+  constexpr std::size_t most = 3;
+  std::ranges::stable_sort(points, {}, [](const Point& p) { return p.frequency * p.frequency * p.antinode_amplitude; });
+  if (points.size() <= most) return points;
+  std::vector<Point> some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(points[i * (points.size() - 1) / (most - 1)]);
+  return some;
+}
+
 /// The points whose sectional loss will be asked for: its own, and the ends of every energy balance.
 std::vector<Point> points_of_quadrature(const Scene& scene, const std::vector<Point>& all) {
   const casefile::SelfDampingAnalysis& a = keys_of(scene);
@@ -94,35 +105,77 @@ void Quadrature::begin(const std::vector<Point>& all, const Beginning& how) {
     std::erase_if(tensions,
                   [&](double tension) { return std::ranges::find(*how.tensions, tension) == how.tensions->end(); });
   }
-  std::vector<std::optional<SectionalLoss>> losses(tensions.size());
-  side_by_side(tensions.size(), [&](std::size_t i) { losses[i] = loss_table(tensions[i], points, how); });
+  std::vector<LossTable> made(tensions.size());
+  side_by_side(tensions.size(), [&](std::size_t i) { made[i] = loss_table(tensions[i], points, how); });
   for (std::size_t i = 0; i < tensions.size(); ++i) {
-    tables_.push_back(
-        {.tension = tensions[i], .loss = std::move(*losses[i]), .material = build::material_loss(scene_, tensions[i])});
+    tables_.push_back({.tension = tensions[i],
+                       .loss = SectionalLoss(made[i]),
+                       .material = build::material_loss(scene_, tensions[i]),
+                       .error = made[i].error,
+                       .chosen = made[i].chosen});
   }
 }
 
-SectionalLoss Quadrature::loss_table(double tension, const std::vector<Point>& points, const Beginning& how) const {
+LossTable Quadrature::loss_table(double tension, const std::vector<Point>& points, const Beginning& how) const {
+  std::vector<Point> own;
+  std::ranges::copy_if(points, std::back_inserter(own), [&](const Point& point) { return point.tension == tension; });
   CurvatureRange range{.lowest = INFINITY, .highest = 0};
-  for (const Point& point : points) {
-    if (point.tension != tension) continue;
+  for (const Point& point : own) {
     const CurvatureRange chi = curvatures_of(scene_, numbers_, mass_, point);
     range.lowest = std::min(range.lowest, chi.lowest);
     range.highest = std::max(range.highest, chi.highest);
   }
   if (how.find) {
-    if (const std::optional<LossTable> kept = how.find(tension, range)) return SectionalLoss(*kept);
+    if (const std::optional<LossTable> kept = how.find(tension, range)) return *kept;
   }
-  SectionalLoss loss(*law_, {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max}, range,
-                     {.stop = how.stop});
-  if (how.keep) {
-    LossTable table = loss.table();
-    table.tension = tension;
-    table.lowest = range.lowest;
-    table.highest = range.highest;
-    how.keep(table);
+  LossTable table = make_table(tension, own, range, how.stop);
+  table.tension = tension;
+  table.lowest = range.lowest;
+  table.highest = range.highest;
+  if (how.keep) how.keep(table);
+  return table;
+}
+
+/// `points` are those of the tension.
+LossTable Quadrature::make_table(double tension, const std::vector<Point>& points, const CurvatureRange& range,
+                                 const Stop& stop) const {
+  const SectionState state = {.axial_strain = tension / numbers_.EA, .EI_max = numbers_.EI_max};
+  const std::optional<double> target = casefile::target_error(scene_);
+  if (!target) {
+    const casefile::QuadratureKeys& keys = keys_of(scene_).quadrature;
+    const LossOptions options = {
+        .steps = keys.steps, .knots_per_decade = keys.knots_per_decade, .tolerance = keys.tolerance, .stop = stop};
+    return SectionalLoss(*law_, state, range, options).table();
   }
-  return loss;
+  TableAsk ask{.scene = scene_, .state = state, .range = range, .target = *target, .probes = {}};
+  ask.stop = stop;
+  section::Effort effort;
+  for (const Point& point : some_of(losing(points, state, effort))) {
+    const CurvatureRange chi = curvatures_of(scene_, numbers_, mass_, point);
+    const double least = least_power(point.frequency, point.antinode_amplitude, mass_) / point.frequency;
+    ask.probes.push_back({.curvature = chi.lowest, .least_loss = least});
+    // Beside the clamps a mode is bent more than in its loops.
+    if (goes_over_clamped_modes(scene_)) ask.probes.push_back({.curvature = chi.highest, .least_loss = least});
+  }
+  LossTable table = table_to_target(ask);
+  table.evaluations += effort.evaluations;
+  table.sweeps += effort.sweeps;
+  table.error->section_evaluations += effort.evaluations;
+  return table;
+}
+
+/// The points at which something slips: just above first slip errors are largest.
+std::vector<Point> Quadrature::losing(const std::vector<Point>& points, const SectionState& state,
+                                      section::Effort& effort) const {
+  constexpr int steps = 8;
+  std::vector<double> highest;
+  for (const Point& point : points) highest.push_back(curvatures_of(scene_, numbers_, mass_, point).highest);
+  const std::vector<double> losses = loss_per_cycle(*law_, state, highest, {.steps = steps}, effort);
+  std::vector<Point> some;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (losses[i] > 1e-12 * state.EI_max * highest[i] * highest[i]) some.push_back(points[i]);
+  }
+  return some;
 }
 
 const Quadrature::Table& Quadrature::table_of(double tension) const {
@@ -134,9 +187,13 @@ const SectionalLoss& Quadrature::at_tension(double tension) const {
 }
 
 Loop Quadrature::loop_at(const Point& point) const {
+  return loop_by(at_tension(point.tension), point);
+}
+
+Loop Quadrature::loop_by(const SectionalLoss& loss, const Point& point) const {
   const Wave wave = wave_of(point, mass_);
   if (keys_of(scene_).mode_shape == casefile::ModeShape::string) return string_loop(wave);
-  return stiff_loop(at_tension(point.tension), wave);
+  return stiff_loop(loss, wave);
 }
 
 bool Quadrature::wave_follows_frequency() const {
@@ -172,14 +229,22 @@ double Quadrature::loss_at(double tension, double curvature) const {
 }
 
 PointResult Quadrature::at(const Point& point, const Watch&) const {
-  const SectionalLoss& loss = at_tension(point.tension);
+  const Table& table = table_of(point.tension);
+  PointResult result = by_table(table.loss, table.material, point);
+  result.error = table.error;
+  result.chosen = table.chosen;
+  return result;
+}
+
+PointResult Quadrature::by_table(const SectionalLoss& loss, const section::MaterialLoss& material,
+                                 const Point& point) const {
   const double omega = 2 * std::numbers::pi * point.frequency;
-  const double of_metal = section::loss_at(table_of(point.tension).material, section::Component::bending2, omega) *
-                          std::numbers::pi * point.frequency;
+  const double of_metal =
+      section::loss_at(material, section::Component::bending2, omega) * std::numbers::pi * point.frequency;
   const air::AirForce air =
       surroundings_ ? air::force_at(surroundings_->air, surroundings_->diameter, point.frequency) : air::AirForce{};
   if (!goes_over_clamped_modes(scene_)) {
-    const Loop loop = loop_at(point);
+    const Loop loop = loop_by(loss, point);
     LossParts parts{.friction = point.frequency * mean_loss_of_sine(loss, loop.curvature),
                     .material = of_metal * loop.curvature * loop.curvature / 2,
                     .air = air.power_of_loop(omega * point.antinode_amplitude)};
@@ -208,10 +273,20 @@ PointResult Quadrature::at(const Point& point, const Watch&) const {
   return result;
 }
 
-/// A table takes some 64 steps of one and a half cycles for each of its knots, of which there are 24 a decade to begin
-/// with; and the search for the onset, 65 points a round.
+std::optional<PointChoice> Quadrature::first_choice(const Point&) const {
+  const std::optional<double> target = casefile::target_error(scene_);
+  return target ? std::optional(first_choice_of_table(scene_, *target)) : std::nullopt;
+}
+
+/// A table takes its steps of one and a half cycles for each of its knots, which are twice as many as it begins with,
+/// or more; and the search for the onset, 65 points a round. To hold an accuracy takes coarser ones beside.
 Expected Quadrature::expected(const std::vector<Point>& all) const {
   const std::vector<Point> points = points_of_quadrature(scene_, all);
+  const casefile::QuadratureKeys& keys = keys_of(scene_).quadrature;
+  const PointChoice choice = first_choice({}).value_or(PointChoice{});
+  const double steps = choice.steps.value_or(keys.steps);
+  const double knots = choice.knots_per_decade.value_or(keys.knots_per_decade);
+  const double estimates = casefile::target_error(scene_) ? 2.2 : 1;
   Expected expected;
   for (const double tension : distinct_tensions(points)) {
     double lowest = INFINITY, highest = 0;
@@ -225,9 +300,10 @@ Expected Quadrature::expected(const std::vector<Point>& all) const {
       expected += {.least = 65, .most = 130};
       continue;
     }
-    const double per_knot = scene_.section.law == casefile::Law::compliant ? 640 : 160;  // its loops close in cycles
+    // The loops of contacts that give close in cycles.
+    const double per_knot = estimates * steps * (scene_.section.law == casefile::Law::compliant ? 10 : 2.5);
     const double decades = std::log10(highest / lowest) + 1.5;
-    expected += {.least = 30 * decades * per_knot, .most = 200 * decades * per_knot};
+    expected += {.least = 1.25 * knots * decades * per_knot, .most = 8.3 * knots * decades * per_knot};
   }
   return expected;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "strandyn/span/carry_over.hpp"
 #include "strandyn/span/damping.hpp"
 #include "strandyn/span/free_span.hpp"
 
@@ -68,11 +69,11 @@ ShakenSpan::ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, doub
   setup_ = {.kind = shaker.moves ? solver::DriveKind::motion : solver::DriveKind::force,
             .drive = {.node = shaker.node, .unknown = Unknown::y},
             .control = control_place(span_, mode_, mode_number_ >= 3 ? span_.built.length / mode_number_ : 0)};
-  solver_.emplace(span_.system, span_.u, setup_,
-                  solver::PeriodicOptions{.harmonics = options.harmonics,
-                                          .samples = options.samples,
-                                          .max_iterations = most_iterations,
-                                          .stop = options.stop});
+  options_ = {.harmonics = options.harmonics,
+              .samples = options.samples,
+              .max_iterations = most_iterations,
+              .stop = options.stop};
+  solver_.emplace(span_.system, span_.u, setup_, options_);
 }
 
 double ShakenSpan::antinode_amplitude(const solver::PeriodicState& state) const {
@@ -117,11 +118,15 @@ void ShakenSpan::from_mode(double control, ResonanceAt& result) const {
 }
 
 void ShakenSpan::approach(double antinode_amplitude, ResonanceAt& result) const {
+  const solver::PeriodicState unit = solver_->from_mode(mode_, 1);
+  from_mode(antinode_amplitude / this->antinode_amplitude(unit), result);
+  settle(antinode_amplitude, result);
+}
+
+void ShakenSpan::settle(double antinode_amplitude, ResonanceAt& result) const {
   // The control is a node of the mesh, the antinode lies beside it: their ratio hardly changes with amplitude.
   constexpr double tolerance = 1e-5;
   constexpr int most_passes = 6;
-  solver::PeriodicState unit = solver_->from_mode(mode_, 1);
-  from_mode(antinode_amplitude / this->antinode_amplitude(unit), result);
   for (int pass = 0; pass < most_passes && result.solution.converged; ++pass) {
     result.antinode_amplitude = this->antinode_amplitude(result.solution.state);
     const double ratio = antinode_amplitude / result.antinode_amplitude;
@@ -137,6 +142,30 @@ ResonanceAt ShakenSpan::resonance(double antinode_amplitude) const {
   ResonanceAt result;
   try {
     approach(antinode_amplitude, result);
+  } catch (const Interrupted&) {
+    result.stopped = true;
+  }
+  return result;
+}
+
+ResonanceAt ShakenSpan::resonance(double antinode_amplitude, const ShakenSpan& other,
+                                  const solver::PeriodicState& found) const {
+  ResonanceAt result;
+  try {
+    const Eigen::MatrixXd carried = carry_over(other.span_.built.model, found.harmonics, span_.built.model);
+    const Index columns = 2 * options_.harmonics + 1;
+    solver::PeriodicState start{.frequency = found.frequency * mode_.frequency / other.mode_.frequency,
+                                .drive = found.drive,
+                                .harmonics = Eigen::MatrixXd::Zero(carried.rows(), columns)};
+    const Index common = std::min(columns, carried.cols());
+    start.harmonics.leftCols(common) = carried.leftCols(common);
+    const auto control = *span_.built.model.index(setup_.control.node, setup_.control.unknown);
+    const double ratio = antinode_amplitude / this->antinode_amplitude(start);
+    start.harmonics *= ratio;
+    result.solution = solver_->resonance(std::abs(start.phasor(control)), start);
+    result.effort += result.solution.effort;
+    if (!result.solution.converged) approach(antinode_amplitude, result);
+    settle(antinode_amplitude, result);
   } catch (const Interrupted&) {
     result.stopped = true;
   }

@@ -7,29 +7,14 @@
 #include <cmath>
 
 #include "entries.hpp"
+#include "strandyn/analysis/richardson.hpp"
+#include "strandyn/build/section_law.hpp"
 
 namespace strandyn::study {
 
 using casefile::Scene;
 
 namespace {
-
-/// What the finer of two runs is off by, whose `difference` is known, and that of the pair before, each twice as
-/// coarse: Richardson's, with the order that the differences show, between bounds. They are enlarged by what covers the
-/// error in nineteen of twenty scenes: more where the order is not the one expected.
-struct Order {
-  double least = 0, highest = 0, expected = 0;
-};
-double richardson(double difference, std::optional<double> before, const Order& order) {
-  constexpr double sure = 1.5, unsure = 3, unknown = 2.5;
-  if (!before || !std::isfinite(*before) || !(std::max(difference, *before) > 0))
-    return unknown * difference / (std::exp2(order.expected) - 1);
-  const double seen = std::log2(*before / difference);
-  // Two runs may agree by chance: on both sides of a resonance, for one.
-  difference = std::max(difference, *before / std::exp2(order.highest));
-  const double safety = seen >= order.expected - 0.5 ? sure : unsure;
-  return safety * difference / (std::exp2(std::clamp(seen, order.least, order.highest)) - 1);
-}
 
 /// Of a decay: all of a short one. Errors grow from cycle to cycle, so a long one is not known by its first.
 int cycles_to_run(int cycles) {
@@ -57,12 +42,6 @@ std::vector<double> dissipation_of(const Scene& scene, const results::Value& sum
 
 }  // namespace
 
-std::optional<int> finer_points(int points) {
-  constexpr std::array steps = {12, 20, 36, 72};
-  const auto finer = std::ranges::upper_bound(steps, points);
-  return finer == steps.end() ? std::nullopt : std::optional(*finer);
-}
-
 Scene with_setting(Scene scene, const Setting& setting) {
   scene.span->elements = setting.elements;
   scene.integrator.step = casefile::StepRule::fixed;
@@ -73,7 +52,7 @@ Scene with_setting(Scene scene, const Setting& setting) {
 }
 
 Stretch::Stretch(const Scene& scene, const Hooks& hooks)
-    : scene_(scene), hooks_(hooks), slips_(slips_by_points(scene.section.law)) {
+    : scene_(scene), hooks_(hooks), slips_(build::slips_by_points(scene.section.law)) {
   if (auto* decay = std::get_if<casefile::DecayAnalysis>(&scene_.analysis)) {
     decay->cycles = cycles_to_run(decay->cycles);
   }
@@ -122,8 +101,8 @@ std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
   constexpr int fewest_steps = 40;
   const bool many_steps = setting.steps_per_cycle >= fewest_steps;
   const int slow = many_steps && !resonates ? 4 : 2;
-  constexpr Order in_time{.least = 2, .highest = 2, .expected = 2};
-  constexpr Order in_space{.least = 1.5, .highest = 4, .expected = 2};
+  constexpr analysis::Order in_time{.least = 2, .highest = 2, .expected = 2};
+  constexpr analysis::Order in_space{.least = 1.5, .highest = 4, .expected = 2};
   constexpr double by_points_alone = 1.5;
   const auto with = [&](int elements_over, int steps_over, int points) -> const Result& {
     return run({.elements = std::max(setting.elements / elements_over, 1),
@@ -131,7 +110,7 @@ std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
                 .points = points});
   };
   const int p = setting.points;
-  const std::optional<int> finer = slips_ ? finer_points(p) : std::nullopt;
+  const std::optional<int> finer = slips_ ? build::finer_points(p) : std::nullopt;
   const std::array<const Result*, 3> by_time = {&with(2, 1, p), &with(2, 2, p), &with(2, many_steps ? 4 : 2, p)};
   const std::array<const Result*, 3> by_mesh = {&with(1, slow, p), &with(2, slow, p), &with(4, slow, p)};
   const std::array<const Result*, 2> by_points = {&with(4, slow, p), &with(4, slow, finer.value_or(p))};
@@ -147,8 +126,9 @@ std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
   if (!(size > 0) && !best.dissipation.empty()) return estimate;  // nothing moves
   const std::optional<double> before_in_time =
       many_steps ? std::optional(apart(*by_time[1], *by_time[2])) : std::nullopt;
-  estimate.time = richardson(apart(*by_time[0], *by_time[1]), before_in_time, in_time) / size;
-  estimate.mesh = richardson(apart(*by_mesh[0], *by_mesh[1]), apart(*by_mesh[1], *by_mesh[2]), in_space) / size;
+  estimate.time = analysis::richardson(apart(*by_time[0], *by_time[1]), before_in_time, in_time) / size;
+  estimate.mesh =
+      analysis::richardson(apart(*by_mesh[0], *by_mesh[1]), apart(*by_mesh[1], *by_mesh[2]), in_space) / size;
   if (finer) estimate.points = by_points_alone * apart(*by_points[0], *by_points[1]) / size;
   return estimate;
 }

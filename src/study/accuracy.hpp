@@ -24,14 +24,6 @@ struct Setting {
   auto operator<=>(const Setting&) const = default;
 };
 
-/// Has wires whose slip hangs on the points of a section.
-constexpr bool slips_by_points(casefile::Law law) {
-  return law == casefile::Law::return_map || law == casefile::Law::compliant;
-}
-
-/// The next finer number of points of a turn: the battery of the section laws knows these. 72 has none.
-std::optional<int> finer_points(int points);
-
 /// The scene with that mesh, step and number of points.
 casefile::Scene with_setting(casefile::Scene scene, const Setting& setting);
 

@@ -106,7 +106,7 @@ class Accurate final : public Analysis {
   bool is_free(std::string_view key) const { return !asked_.source.find(key); }
   bool elements_are_free() const { return !asked_.span->elements; }
   bool steps_are_free() const { return is_free("integrator.steps_per_cycle"); }
-  bool points_are_free() const { return is_free("section.points") && slips_by_points(asked_.section.law); }
+  bool points_are_free() const { return is_free("section.points") && build::slips_by_points(asked_.section.law); }
   std::string words_of(const ErrorEstimate& estimate) const {
     const char* kept = keeps_a_knob() ? "; the case sets some of them itself" : "";
     if (!std::isfinite(estimate.relative())) {
@@ -150,7 +150,7 @@ class Accurate final : public Analysis {
     const double mesh = elements_are_free() && setting_.elements < most_finer * first_.elements ? estimate.mesh : 0;
     const double time =
         steps_are_free() && setting_.steps_per_cycle < most_finer * first_.steps_per_cycle ? estimate.time : 0;
-    const std::optional<int> finer = finer_points(setting_.points);
+    const std::optional<int> finer = build::finer_points(setting_.points);
     const double points = points_are_free() && finer ? estimate.points.value_or(0) : 0;
     const double largest = std::max({mesh, time, points});
     if (largest == 0) return false;

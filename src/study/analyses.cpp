@@ -17,7 +17,8 @@ void Cost::add(const Cost& part) {
 }
 
 std::unique_ptr<Analysis> prepare(const casefile::Scene& scene) {
-  if (scene.accuracy) return prepare_accurate(scene);
+  // A study chooses for each tension and each point by itself.
+  if (scene.accuracy && !scene.is<casefile::SelfDampingAnalysis>()) return prepare_accurate(scene);
   refuse_without_room(scene);
   return std::ranges::find(entries, casefile::word_of(scene.analysis), &Entry::word)->prepare(scene);
 }

@@ -13,6 +13,7 @@
 #include "strandyn/self_damping/fit.hpp"
 #include "strandyn/self_damping/grid_fit.hpp"
 #include "strandyn/self_damping/log.hpp"
+#include "study_accuracy.hpp"
 
 namespace strandyn::study {
 
@@ -35,6 +36,7 @@ void members(V& v, RecomputedPoints& r) {
 
 struct StudySummary {
   std::vector<PointRow> points;
+  std::optional<StudyError> error{};
   self_damping::Fits fits;
   self_damping::GridFits grids;
   std::optional<std::vector<self_damping::OnsetRow>> onsets{};
@@ -44,6 +46,7 @@ struct StudySummary {
 };
 template <class V>
 void members(V& v, StudySummary& s) {
+  v.record("error_estimate", s.error, {.what = "where `accuracy` is given: of the point that may be off by most"});
   v.list("points", s.points, {.what = "the points of the study"});
   v.part(s.fits);
   v.part(s.grids);
@@ -215,6 +218,7 @@ class SelfDamping final : public Analysis, public Pieces {
                      .mode_shape = std::string(name_of(scene_.as<casefile::SelfDampingAnalysis>().mode_shape))};
     for (const Point& point : points_) ++facts.methods[std::string(name_of(point.method))];
     outlook.tell("study", facts);
+    tell_accuracy(outlook);
     outlook.evaluations_least = expected_.least;
     outlook.evaluations_most = expected_.most;
     const double tension = points_.front().tension;
@@ -256,6 +260,21 @@ class SelfDamping final : public Analysis, public Pieces {
   }
   void make(DampingMethod word) {
     if (!methods_.contains(word)) methods_[word] = self_damping::make_method(word, scene_);
+  }
+  void tell_accuracy(Outlook& outlook) const {
+    const std::optional<double> target = casefile::target_error(scene_);
+    if (!target) return;
+    AccuracyFacts facts{.target = *target,
+                        .chosen =
+                            "in the run: for each tension by quadrature, for each point by periodic, refined "
+                            "until the estimated error is below the target"};
+    for (const Point& point : points_) {
+      const bool by_table = point.method == DampingMethod::quadrature;
+      if (!by_table && point.method != DampingMethod::periodic) continue;
+      auto& begun = by_table ? facts.quadrature : facts.periodic;
+      if (!begun) begun = methods_.at(point.method)->first_choice(point);
+    }
+    outlook.tell("accuracy", facts);
   }
   std::vector<Point> points_by(DampingMethod word) const {
     if (word == DampingMethod::quadrature) return points_;  // it picks its own, and those of the balances
@@ -322,6 +341,10 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
 void SelfDamping::sum_up(const std::vector<PointRow>& rows, Reached reached, Outcome& outcome) const {
   StudySummary summary{
       .points = rows, .fits = self_damping::fit_points(scene_, rows), .grids = self_damping::fit_grids(scene_, rows)};
+  summary.error = error_of(scene_, rows);
+  if (summary.error) {
+    if (const auto warning = warning_of(*summary.error, rows.size())) outcome.warnings.push_back(*warning);
+  }
   if (summary.fits.warning) outcome.warnings.push_back(*summary.fits.warning);
   for (std::string& warning : self_damping::warnings_of_points(scene_, rows)) {
     outcome.warnings.push_back(std::move(warning));

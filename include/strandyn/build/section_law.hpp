@@ -2,6 +2,7 @@
 /// \file From a scene to its section law, and the numbers of the section that everything else refers to.
 
 #include <memory>
+#include <optional>
 
 #include "strandyn/casefile/scene.hpp"
 #include "strandyn/section/law.hpp"
@@ -30,6 +31,12 @@ void members(V& v, SectionNumbers& n) {
 
 /// Whether the wires of such a law can be looked at (section::Law::wires).
 bool has_wires(casefile::Law law);
+
+/// Whether what slips depends on the points of a section.
+bool slips_by_points(casefile::Law law);
+
+/// The next finer number of points of a turn: the battery of the section laws knows these. 72 and more have none.
+std::optional<int> finer_points(int points);
 
 /// The law of the scene; `strand`, where given, stands for the scene's own (a variant of it). Throws InputError at the
 /// key that asks for what the law cannot do.

@@ -46,6 +46,8 @@ struct PointResult {
   std::optional<SpanVibration> vibration{};  ///< of a whole span in steady vibration
   std::optional<BenchReadings> bench{};      ///< of a test bench
   results::Value details = {};               ///< numbers of the method's own
+  std::optional<PointError> error{};         ///< where the case asks for an accuracy, like the next
+  std::optional<PointChoice> chosen{};       ///< the knobs that the case leaves open
   section::Effort effort{};                  ///< what it took beyond what the points of a method share
   std::string failure{};                     ///< why there are no numbers; empty otherwise
   bool stopped = false;                      ///< ended by `stop`: it will be computed again
@@ -86,6 +88,8 @@ class Method {
   /// A ComputationError thrown is a failure of the point, not of the study.
   virtual PointResult at(const Point& point, const Watch& watch) const = 0;
   virtual Expected expected(const std::vector<Point>& points) const = 0;
+  /// Where the case asks for an accuracy: what a point begins with, of the knobs that the case leaves open.
+  virtual std::optional<PointChoice> first_choice(const Point& point) const;
 };
 
 /// Refuses (InputError) what the method cannot do with this scene, which must outlive it.
@@ -105,6 +109,8 @@ struct PointRow {
   std::optional<LossParts> parts{};
   std::optional<SpanVibration> vibration{};
   std::optional<BenchReadings> bench{};
+  std::optional<PointError> error{};
+  std::optional<PointChoice> chosen{};
   results::Value details{};
 
   bool has_numbers() const { return self_damping.has_value(); }
@@ -127,6 +133,8 @@ void members(V& v, PointRow& r) {
   v.part(r.parts);
   v.part(r.vibration);
   v.record("bench", r.bench, {.what = "the readings of the test bench"});
+  v.record("error_estimate", r.error, {.what = "where `accuracy` is given: what the point is off by"});
+  v.record("chosen", r.chosen, {.what = "where `accuracy` is given: what the program has chosen for it, by key"});
   v.rest(r.details);
 }
 

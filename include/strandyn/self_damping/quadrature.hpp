@@ -22,11 +22,14 @@ class Quadrature final : public Method {
   void begin(const std::vector<Point>& points, const Beginning& how) override;
   PointResult at(const Point& point, const Watch& watch) const override;
   Expected expected(const std::vector<Point>& points) const override;
+  std::optional<PointChoice> first_choice(const Point& point) const override;
 
   struct Table {
     double tension = 0;  ///< [N]
     SectionalLoss loss;
     section::MaterialLoss material;
+    std::optional<PointError> error{};  ///< where the case asks for an accuracy, like the next
+    std::optional<PointChoice> chosen{};
   };
   const std::vector<Table>& tables() const { return tables_; }
   const SectionalLoss& at_tension(double tension) const;
@@ -44,7 +47,12 @@ class Quadrature final : public Method {
 
  private:
   const Table& table_of(double tension) const;
-  SectionalLoss loss_table(double tension, const std::vector<Point>& points, const Beginning& how) const;
+  Loop loop_by(const SectionalLoss& loss, const Point& point) const;
+  LossTable loss_table(double tension, const std::vector<Point>& points, const Beginning& how) const;
+  LossTable make_table(double tension, const std::vector<Point>& points, const CurvatureRange& range,
+                       const Stop& stop) const;
+  std::vector<Point> losing(const std::vector<Point>& points, const SectionState& state, section::Effort& effort) const;
+  PointResult by_table(const SectionalLoss& loss, const section::MaterialLoss& material, const Point& point) const;
 
   const casefile::Scene& scene_;
   build::SectionNumbers numbers_;

@@ -21,6 +21,7 @@
 #include "strandyn/core/stop.hpp"
 #include "strandyn/results/record.hpp"
 #include "strandyn/section/law.hpp"
+#include "strandyn/self_damping/point_error.hpp"
 
 namespace strandyn::self_damping {
 
@@ -67,6 +68,8 @@ struct LossTable {
   std::vector<double> losses{};    ///< [J/m]
   std::vector<double> secants{};   ///< [N m^2]
   std::uint64_t evaluations = 0, sweeps = 0;
+  std::optional<PointError> error{};  ///< where an accuracy was asked for, like the next
+  std::optional<PointChoice> chosen{};
 
   /// Of the same length, finite, in rising order: whatever wrote it.
   bool is_sound() const;
@@ -83,6 +86,8 @@ void members(V& v, LossTable& t) {
   v.value("secants_N_m2", t.secants, {.what = "at the knots"});
   v.value("section_evaluations", t.evaluations, {.what = "what the table took"});
   v.value("section_sweeps", t.sweeps, {.what = "of these, the ones that marched through the layers"});
+  v.record("error_estimate", t.error, {.what = "where the case asks for an accuracy"});
+  v.record("chosen", t.chosen, {.what = "for that accuracy, by key"});
 }
 
 class SectionalLoss {

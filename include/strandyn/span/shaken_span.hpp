@@ -62,6 +62,9 @@ class ShakenSpan {
   double phase(const solver::PeriodicState& state) const;
   /// Phase resonance at an antinode amplitude [m]: straight from the mode, or in steps of amplitude where that fails.
   ResonanceAt resonance(double antinode_amplitude) const;
+  /// The same, begun at a resonance of the same chain on this mesh or another, with as many harmonics or others; where
+  /// that leads nowhere, at the mode.
+  ResonanceAt resonance(double antinode_amplitude, const ShakenSpan& other, const solver::PeriodicState& found) const;
   /// Nothing below three loops.
   std::optional<FreeSpan> free_span(const solver::PeriodicSolution& solution, const StrainRange& strains) const;
   StrainRange strains(const solver::PeriodicState& state) const;
@@ -69,11 +72,13 @@ class ShakenSpan {
  private:
   void from_mode(double control, ResonanceAt& result) const;
   void approach(double antinode_amplitude, ResonanceAt& result) const;
+  void settle(double antinode_amplitude, ResonanceAt& result) const;
 
   SpanAtRest span_;
   solver::Mode mode_;
   int mode_number_ = 0;
   solver::PeriodicSetup setup_;
+  solver::PeriodicOptions options_;
   std::optional<observe::DeflectionPoints> places_;
   std::optional<solver::PeriodicSolver> solver_;
 };

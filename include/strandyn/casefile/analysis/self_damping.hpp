@@ -92,6 +92,31 @@ void keys(V& v, SimplifiedLoss& s) {
             .above = 0});
 }
 
+/// [analysis.quadrature]: the table of the sectional loss that the quadrature reads.
+struct QuadratureKeys {
+  int steps = 64;             ///< of half a cycle
+  int knots_per_decade = 24;  ///< to begin with, of the amplitude beyond first slip
+  double tolerance = 1e-3;    ///< [-] of the loss in the middle between two knots
+};
+
+template <class V>
+void keys(V& v, QuadratureKeys& q) {
+  v.number("steps", q.steps,
+           {.help = "the number of steps in which a section is bent from one side to the other",
+            .at_least = 4,
+            .at_most = 4096,
+            .multiple_of = 2});
+  v.number("knots_per_decade", q.knots_per_decade,
+           {.help = "the number of amplitudes in a decade beyond first slip at which the loss is tabulated at least",
+            .at_least = 2,
+            .at_most = 200});
+  v.number(
+      "tolerance", q.tolerance,
+      {.help = "the error of the loss between two amplitudes, as a part of it, above which one is put between them",
+       .at_least = 1e-6,
+       .at_most = 1});
+}
+
 /// [[analysis.energy_balance]]
 struct EnergyBalanceKeys {
   WindCurve wind = WindCurve::cigre;
@@ -160,6 +185,7 @@ struct SelfDampingAnalysis {
   std::vector<DampingAt> at;
   std::vector<std::array<double, 2>> bands;  ///< [-] of amplitude over diameter
   PeriodicKeys periodic;
+  QuadratureKeys quadrature;
   SimplifiedLoss simplified;
   BenchKeys bench;
   std::vector<EnergyBalanceKeys> energy_balances;
@@ -208,6 +234,7 @@ void keys(V& v, SelfDampingAnalysis& a) {
            {.help = "the largest one", .above = 0}}},
          {.help = "bands of amplitude over diameter that are fitted one by one, rows of smallest and largest"});
   v.table("periodic", a.periodic, {.help = "how a periodic response is solved"});
+  v.table("quadrature", a.quadrature, {.help = "the table of the sectional loss that \"quadrature\" reads"});
   v.table("foti_2018", a.simplified, {.help = "the numbers of the closed form \"foti-2018\""});
   v.table("bench", a.bench, {.help = "the test bench of the method \"transient\""});
   v.tables("energy_balance", a.energy_balances, {.help = "wind against self-damping of the bare conductor"});
