@@ -22,34 +22,21 @@ Tangents tangents(const PlanarElement& element, const PlanarVector& q) {
   return t;
 }
 
-/// [kg] Hermite mass table of X = (x_1, t_1, x_2, t_2), [kg m] and [kg m^2] where a tangent takes part.
-Eigen::Matrix4d mass_table(const PlanarElement& element, const Inertia& inertia) {
-  return inertia.mass * hermite_table(element.length);
-}
-
 /// Entries of a 6 x 6 matrix in which the table couples directions: translations e_x, e_y of node i and, for its
-/// rotation, `row[i]`, with the same of node j and `column[j]`.
-PlanarMatrix couple(const Eigen::Matrix4d& table, const std::array<Eigen::Vector2d, 2>& row,
+/// rotation, `row[i]`, with the same of node j, times `factor`, and `column[j]`.
+PlanarMatrix couple(const Eigen::Matrix4d& table, const std::array<Eigen::Vector2d, 2>& row, double factor,
                     const std::array<Eigen::Vector2d, 2>& column) {
   PlanarMatrix m;
   for (int i = 0; i < 2; ++i) {
     for (int j = 0; j < 2; ++j) {
       const auto ri = static_cast<std::size_t>(i);
       const auto cj = static_cast<std::size_t>(j);
-      m.block<2, 2>(3 * i, 3 * j) = table(2 * i, 2 * j) * Eigen::Matrix2d::Identity();
+      m.block<2, 2>(3 * i, 3 * j) = factor * table(2 * i, 2 * j) * Eigen::Matrix2d::Identity();
       m.block<2, 1>(3 * i, 3 * j + 2) = table(2 * i, 2 * j + 1) * column[cj];
-      m.block<1, 2>(3 * i + 2, 3 * j) = table(2 * i + 1, 2 * j) * row[ri].transpose();
+      m.block<1, 2>(3 * i + 2, 3 * j) = factor * table(2 * i + 1, 2 * j) * row[ri].transpose();
       m(3 * i + 2, 3 * j + 2) = table(2 * i + 1, 2 * j + 1) * row[ri].dot(column[cj]);
     }
   }
-  return m;
-}
-
-/// The same for a derivative that only the rotations take part in: columns of the rotations alone.
-PlanarMatrix couple_rotations(const Eigen::Matrix4d& table, const std::array<Eigen::Vector2d, 2>& row,
-                              const std::array<Eigen::Vector2d, 2>& column) {
-  PlanarMatrix m = couple(table, row, column);
-  for (int j : {0, 1, 3, 4}) m.col(j).setZero();
   return m;
 }
 
@@ -88,12 +75,12 @@ PlanarVector lumped_mass(const PlanarElement& element, const Inertia& inertia) {
 
 PlanarMatrix consistent_mass(const PlanarElement& element, const Inertia& inertia, const PlanarVector& q) {
   const Tangents t = tangents(element, q);
-  return couple(mass_table(element, inertia), t.normal, t.normal) + rotary_mass(element, inertia);
+  return couple(hermite_table(inertia.mass, element.length), t.normal, 1, t.normal) + rotary_mass(element, inertia);
 }
 
 PlanarVector consistent_inertia_force(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m) {
   const Tangents t = tangents(element, m.q);
-  const FourVectors P = momentum_rate(mass_table(element, inertia), t, m);
+  const FourVectors P = momentum_rate(hermite_table(inertia.mass, element.length), t, m);
   PlanarVector force;
   for (int i = 0; i < 2; ++i) {
     force.segment<2>(3 * i) = P.row(2 * i).transpose();
@@ -103,27 +90,42 @@ PlanarVector consistent_inertia_force(const PlanarElement& element, const Inerti
   return force;
 }
 
-InertiaTangent consistent_inertia_tangent(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m) {
+PlanarMatrix consistent_inertia_tangent(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m,
+                                        InertiaFactors factors) {
   const Tangents t = tangents(element, m.q);
-  const Eigen::Matrix4d table = mass_table(element, inertia);
+  const Eigen::Matrix4d table = hermite_table(inertia.mass, element.length);
   const FourVectors P = momentum_rate(table, t, m);
 
-  // Derivatives of the tangents' second derivatives: dn/dtheta = -t, dt/dtheta = n.
-  std::array<Eigen::Vector2d, 2> by_velocity, by_position;
+  // Derivatives of the tangents' second derivatives, dn/dtheta = -t, dt/dtheta = n: of theta'' n - theta'^2 t by all
+  // three. Translations have only the first.
+  std::array<Eigen::Vector2d, 2> by_rotation;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto rotation = static_cast<Eigen::Index>(3 * i + 2);
     const double rate = m.v(rotation);
-    by_velocity[i] = -2 * rate * t.along[i];
-    by_position[i] = -m.a(rotation) * t.along[i] - rate * rate * t.normal[i];
+    by_rotation[i] = (factors.acceleration - factors.position * rate * rate) * t.normal[i] -
+                     (2 * factors.velocity * rate + factors.position * m.a(rotation)) * t.along[i];
   }
-  InertiaTangent tangent{.mass = couple(table, t.normal, t.normal) + rotary_mass(element, inertia),
-                         .velocity = couple_rotations(table, t.normal, by_velocity),
-                         .position = couple_rotations(table, t.normal, by_position)};
+  PlanarMatrix tangent = couple(table, t.normal, factors.acceleration, by_rotation);
+  if (inertia.rotary > 0) tangent += factors.acceleration * rotary_mass(element, inertia);
   // The normal that the force is taken along turns as well.
   for (int i = 0; i < 2; ++i) {
-    tangent.position(3 * i + 2, 3 * i + 2) -= t.along[static_cast<std::size_t>(i)].dot(P.row(2 * i + 1).transpose());
+    tangent(3 * i + 2, 3 * i + 2) -=
+        factors.position * t.along[static_cast<std::size_t>(i)].dot(P.row(2 * i + 1).transpose());
   }
   return tangent;
+}
+
+double kinetic_energy(const PlanarElement& element, const Inertia& inertia, const PlanarVector& q,
+                      const PlanarVector& v) {
+  const Tangents t = tangents(element, q);
+  FourVectors X;
+  for (int i = 0; i < 2; ++i) {
+    X.row(2 * i) = v.segment<2>(3 * i).transpose();
+    X.row(2 * i + 1) = v(3 * i + 2) * t.normal[static_cast<std::size_t>(i)].transpose();
+  }
+  const FourVectors momentum = hermite_table(inertia.mass, element.length) * X;
+  const double rotary = inertia.rotary * element.length / 3 * (v(2) * v(2) + v(2) * v(5) + v(5) * v(5));
+  return (X.cwiseProduct(momentum).sum() + rotary) / 2;
 }
 
 }  // namespace strandyn::beam

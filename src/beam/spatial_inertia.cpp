@@ -97,7 +97,7 @@ RigidInertia nodal_inertia(const SpatialElement& element, const SpatialSectionIn
 
 SpatialMatrix consistent_mass(const SpatialElement& element, const SpatialSectionInertia& inertia,
                               const SpatialVector& q) {
-  const Eigen::Matrix4d table = inertia.mass * hermite_table(element.length);
+  const Eigen::Matrix4d table = hermite_table(inertia.mass, element.length);
   const TwistCorrection twist(element, inertia.polar);
   const Eigen::Vector3d& a = twist.a;
   TwoMatrices by_psi;
@@ -127,7 +127,7 @@ SpatialVector consistent_inertia_force(const SpatialElement& element, const Spat
     acceleration[i] = turn[i].to_space(carried_acceleration(spin[i], a));
   }
   twist.see(spin);
-  const FourVectors P = momentum_rate(inertia.mass * hermite_table(element.length), m, acceleration);
+  const FourVectors P = momentum_rate(hermite_table(inertia.mass, element.length), m, acceleration);
   SpatialVector force;
   for (int i = 0; i < 2; ++i) {
     const auto node = static_cast<std::size_t>(i);
@@ -142,7 +142,7 @@ SpatialVector consistent_inertia_force(const SpatialElement& element, const Spat
 
 SpatialMatrix consistent_inertia_tangent(const SpatialElement& element, const SpatialSectionInertia& inertia,
                                          const SpatialMotion& m, InertiaFactors factors) {
-  const Eigen::Matrix4d table = inertia.mass * hermite_table(element.length);
+  const Eigen::Matrix4d table = hermite_table(inertia.mass, element.length);
   TwistCorrection twist(element, inertia.polar);
   const Eigen::Vector3d& a = twist.a;
   const TwoTurns turn = turns(m.q);

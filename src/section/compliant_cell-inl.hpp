@@ -78,8 +78,8 @@ HWY_INLINE Sides own_load(const Layer& layer) {
   return {set(layer.own_load), set(-layer.own_load)};
 }
 
-/// Tractions and residuals at `slip`; true where they balance.
-HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
+/// Tractions and residuals at `slip`; true where they balance, within `rounding` of the largest that they can be.
+HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, const Sides& rounding, Wires& w) {
   const Sides zero = both(0);
   const std::size_t layers = c.layers.size();
   const std::size_t rows = rows_of_interface(c) * block_lanes;
@@ -107,7 +107,7 @@ HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, W
     const Sides residual = sub(q, wanted);
     Sides size = mul_add(both(layer.load_of_outer), limit_outside, limit);
     size = add(size, add(absolute(wanted), absolute(demand)));
-    open = one_of(open, above(absolute(residual), mul(both(rounding_of_a_wire), size)));
+    open = one_of(open, above(absolute(residual), mul(rounding, size)));
     w.across.set(i, across);
     w.limit.set(i, limit);
     w.traction.set(i, t.sum);
@@ -243,8 +243,8 @@ HWY_INLINE V onward(V step, V before) {
 }
 
 /// A first guess: where curvature goes on as in the last step, wires slip as in that; where it turns back, no spring
-/// slides.
-HWY_INLINE void guess(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
+/// slides. True where it is as in the last step.
+HWY_INLINE SideMasks guess(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
   const std::size_t layers = c.layers.size();
   const std::size_t rows = rows_of_interface(c) * block_lanes;
   const SideMasks goes_on = above(cell.onward, both(0));
@@ -261,16 +261,19 @@ HWY_INLINE void guess(const CompliantCoefficients& c, const Cell& cell, Wires& w
     const Sides before = InterfaceAt{cell.springs + i * rows, layers * rows}[last_slip];
     w.slip.set(i, choose(goes_on, mul(cell.onward, before), w.slip[i]));
   }
+  return goes_on;
 }
 
-/// Solves a cell from the slips at hand. The potential of its springs is convex with a piecewise linear slope: Newton's
-/// method.
-HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, Wires& w) {
+/// Solves a cell from the slips at hand. Where they are not a solution of its linear equations they are corrected at
+/// least once, since limits far above all forces would let a `guessed` one pass for rounding. The potential of its
+/// springs is convex with a piecewise linear slope: Newton's method.
+HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, const SideMasks& guessed, Wires& w) {
   const Sides zero = both(0);
   const std::size_t layers = c.layers.size();
+  const Sides rounding = both(rounding_of_a_wire);
   LineSearch search = LineSearch::begin();
   for (int round = 0;; ++round) {
-    const SideMasks done = balance(c, cell, w);
+    const SideMasks done = balance(c, cell, round > 0 ? rounding : choose(guessed, zero, rounding), w);
     if (round == most_rounds || all_true(done)) return;
     SideMasks again{hn::Lt(zero.t, zero.t), hn::Lt(zero.t, zero.t)};
     if (round > 0) again = search.retry(slope_along_step(c, w), done);

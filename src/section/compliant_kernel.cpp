@@ -76,8 +76,7 @@ HWY_INLINE Dual<kTangent> march(const CompliantCoefficients& c, const Point& at,
                     .onward = both(at.onward)};
     load_of(c, at.eps, bench);
     begin(c, cell, w);
-    guess(c, cell, w);
-    solve(c, cell, w);
+    solve(c, cell, guess(c, cell, w), w);
     if constexpr (kTangent) {
       const double* K_eps = bench.contacts.now_eps.data();
       eliminate(c, w);

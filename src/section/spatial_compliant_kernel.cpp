@@ -105,14 +105,15 @@ HWY_INLINE void march(const SpatialCompliantCoefficients& c, const Trial& trial,
     load_of(c, trial.to, bench);
     begin(c.angle, cell, w);
     const std::size_t first_slip = 2 * layers * n;
+    SideMasks guessed = above(both(0), both(0));
     if (again) {
       for (std::size_t i = 0; i < layers; ++i) {
         w.slip.set(i, {bench.slips[first_slip + 2 * i], bench.slips[first_slip + 2 * i + 1]});
       }
     } else {
-      guess(c.angle, cell, w);
+      guessed = guess(c.angle, cell, w);
     }
-    solve(c.angle, cell, w);
+    solve(c.angle, cell, guessed, w);
     if (first_column < bench.columns.size()) eliminate(c.angle, w);
     for (std::size_t k = first_column; k < bench.columns.size(); ++k) {
       bench.columns[k].add(c, place, bench.contacts.now_eps.data(), w);

@@ -94,10 +94,8 @@ class PlanarChain final : public Chain {
     add_diagonal(factors.acceleration, K);
     if (!consistent_) return;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      const auto t = beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e));
-      const PlanarMatrix sum =
-          factors.acceleration * t.mass + factors.velocity * t.velocity + factors.position * t.position;
-      blocks.add_element(e, sum);
+      blocks.add_element(
+          e, beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e), factors));
     }
   }
 
@@ -111,14 +109,14 @@ class PlanarChain final : public Chain {
   }
 
   double kinetic_energy(const double* u, const double* v) const override {
-    double sum = 0;
-    for (Eigen::Index i = 0; i < lumped_.size(); ++i) sum += lumped_(i) * v[i] * v[i];
-    if (!consistent_) return sum / 2;
+    double twice = 0;
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i) twice += lumped_(i) * v[i] * v[i];
+    double energy = twice / 2;
+    if (!consistent_) return energy;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
-      const PlanarVector rate = of_element(v, e);
-      sum += rate.dot(beam::consistent_mass(elements_[e], mass_per_length_, of_element(u, e)) * rate);
+      energy += beam::kinetic_energy(elements_[e], mass_per_length_, of_element(u, e), of_element(v, e));
     }
-    return sum / 2;
+    return energy;
   }
 
   bool has_mass(std::size_t i) const override { return consistent_ || lumped_(static_cast<Eigen::Index>(i)) > 0; }

@@ -127,7 +127,11 @@ TEST_CASE("planar inertia: its tangents are the derivatives of the force") {
   for (int i = 0; i < 50; ++i) {
     const PlanarElement element = random.element();
     const PlanarMotion m = random_motion(random, element);
-    const InertiaTangent t = consistent_inertia_tangent(element, inertia, m);
+    struct {
+      PlanarMatrix mass, velocity, position;
+    } const t{.mass = consistent_inertia_tangent(element, inertia, m, {.acceleration = 1}),
+              .velocity = consistent_inertia_tangent(element, inertia, m, {.velocity = 1}),
+              .position = consistent_inertia_tangent(element, inertia, m, {.position = 1})};
     for (int j = 0; j < 6; ++j) {
       const auto along = [&](auto&& change) {
         return derivative([&](double s) {
@@ -145,5 +149,10 @@ TEST_CASE("planar inertia: its tangents are the derivatives of the force") {
       CHECK((t.position.col(j) - by_q).norm() <= 1e-11 * scale);
     }
     CHECK(t.mass == consistent_mass(element, inertia, m.q));
+    const PlanarMatrix sum =
+        consistent_inertia_tangent(element, inertia, m, {.acceleration = 3, .velocity = -2, .position = 0.5});
+    CHECK((sum - (3 * t.mass - 2 * t.velocity + 0.5 * t.position)).norm() <= 1e-14 * sum.norm());
+    check_close(strandyn::beam::kinetic_energy(element, inertia, m.q, m.v), m.v.dot(t.mass * m.v) / 2,
+                {.relative = 1e-13});
   }
 }

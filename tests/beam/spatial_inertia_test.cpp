@@ -213,7 +213,11 @@ TEST_CASE("spatial inertia: a motion in the plane is the planar element's") {
     const PlanarVector force = consistent_inertia_force(planar, inertia, m);
     const SpatialVector spatial_force = consistent_inertia_force(spatial, of_section, lifted_m);
     CHECK((spatial_force - lifted(force)).norm() <= 1e-14 * force.norm());
-    const InertiaTangent t = consistent_inertia_tangent(planar, inertia, m);
+    struct {
+      PlanarMatrix mass, velocity, position;
+    } const t{.mass = consistent_inertia_tangent(planar, inertia, m, {.acceleration = 1}),
+              .velocity = consistent_inertia_tangent(planar, inertia, m, {.velocity = 1}),
+              .position = consistent_inertia_tangent(planar, inertia, m, {.position = 1})};
     const Tangents s = tangents(spatial, lifted_m);
     const double scale = t.mass.norm() + t.velocity.norm() + t.position.norm();
     CHECK(planar_difference(s.mass, t.mass) <= 1e-14 * scale);

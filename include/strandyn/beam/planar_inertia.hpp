@@ -8,6 +8,7 @@
 /// kinetic energy is objective for any rotation; the velocity enters only through t'' = theta'' n - theta'^2 t.
 
 #include "strandyn/beam/planar_element.hpp"
+#include "strandyn/beam/rigid_inertia.hpp"
 
 namespace strandyn::beam {
 
@@ -28,13 +29,15 @@ struct PlanarMotion {
 /// Consistent inertia force d/dt(dT/dv) - dT/dq. [N], [N m]
 PlanarVector consistent_inertia_force(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m);
 
-/// Its derivatives with respect to accelerations (the mass matrix), velocities and positions.
-struct InertiaTangent {
-  PlanarMatrix mass, velocity, position;
-};
-InertiaTangent consistent_inertia_tangent(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m);
+/// Its derivatives by accelerations (the mass matrix), velocities and positions, each times its factor.
+PlanarMatrix consistent_inertia_tangent(const PlanarElement& element, const Inertia& inertia, const PlanarMotion& m,
+                                        InertiaFactors factors);
 
 /// Mass matrix of the consistent inertia in the position q. [kg], [kg m], [kg m^2]
 PlanarMatrix consistent_mass(const PlanarElement& element, const Inertia& inertia, const PlanarVector& q);
+
+/// [J] of the consistent inertia, at position q and velocity v.
+double kinetic_energy(const PlanarElement& element, const Inertia& inertia, const PlanarVector& q,
+                      const PlanarVector& v);
 
 }  // namespace strandyn::beam

@@ -36,6 +36,13 @@ class Fourier {
   /// Coefficients by samples: its inverse on the harmonics that are kept.
   const Eigen::MatrixXd& projection() const { return projection_; }
 
+  /// Samples by 4 H + 1: the means of a quantity and of its products with cosine and sine of the harmonics 1 ... 2 H,
+  /// as products of two of the basis need them.
+  Eigen::MatrixXd products() const {
+    const Fourier twice(2 * harmonics_, static_cast<int>(samples()));
+    return twice.basis() / static_cast<double>(samples());
+  }
+
   /// Coefficients of the derivative by w t, one row per quantity.
   static Eigen::MatrixXd derivative(const Eigen::MatrixXd& rows) {
     Eigen::MatrixXd d = Eigen::MatrixXd::Zero(rows.rows(), rows.cols());

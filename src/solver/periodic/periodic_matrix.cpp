@@ -1,5 +1,6 @@
 #include "periodic_matrix.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace strandyn::solver {
@@ -22,23 +23,97 @@ void HarmonicMatrix::set_zero() {
   }
 }
 
-void HarmonicMatrix::add(const MatrixXd& factors, const math::ChainMatrix& k) {
-  const auto add_block = [&](MatrixXd& mine, const auto& theirs) {
-    for (Index b = 0; b < coefficients_; ++b) {
-      for (Index a = 0; a < coefficients_; ++a) {
-        if (factors(a, b) != 0) mine.block(a * block_, b * block_, block_, block_) += factors(a, b) * theirs;
-      }
+template <class Block>
+void HarmonicMatrix::add_block(MatrixXd& mine, const MatrixXd& factors, const Block& theirs) const {
+  for (Index b = 0; b < coefficients_; ++b) {
+    for (Index a = 0; a < coefficients_; ++a) {
+      if (factors(a, b) != 0) mine.block(a * block_, b * block_, block_, block_) += factors(a, b) * theirs;
     }
-  };
+  }
+}
+
+void HarmonicMatrix::add(const MatrixXd& factors, const math::ChainMatrix& k) {
   math::with_block_size(block_, [&](auto B) {
     const auto& blocks = k.as<B()>();
     for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-      add_block(diagonal_[i], blocks.diagonal(i));
+      add_block(diagonal_[i], factors, blocks.diagonal(i));
       if (i + 1 == diagonal_.size()) break;
-      add_block(upper_[i], blocks.upper(i));
-      add_block(lower_[i], blocks.lower(i));
+      add_block(upper_[i], factors, blocks.upper(i));
+      add_block(lower_[i], factors, blocks.lower(i));
     }
   });
+}
+
+void HarmonicMatrix::add_element(const MatrixXd& factors, const math::ChainMatrix& k, std::size_t i) {
+  math::with_block_size(block_, [&](auto B) {
+    const auto& blocks = k.as<B()>();
+    add_block(diagonal_[i], factors, blocks.diagonal(i));
+    add_block(upper_[i], factors, blocks.upper(i));
+    add_block(lower_[i], factors, blocks.lower(i));
+    add_block(diagonal_[i + 1], factors, blocks.diagonal(i + 1));
+  });
+}
+
+void CycleMatrix::set(Index sample, const math::ChainMatrix& k) {
+  math::with_block_size(block_, [&](auto B) {
+    const auto& blocks = k.as<B()>();
+    double* at = samples_.col(sample).data();
+    const auto put = [&](const auto& block) {
+      const Eigen::Index size = block.size();
+      std::copy(block.data(), block.data() + size, at);
+      at += size;
+    };
+    for (std::size_t i = 0; i < k.nodes(); ++i) {
+      put(blocks.diagonal(i));
+      if (i + 1 == k.nodes()) break;
+      put(blocks.upper(i));
+      put(blocks.lower(i));
+    }
+  });
+}
+
+void HarmonicMatrix::add(const CycleMatrix& k) {
+  // cos cos, sin sin, cos sin of harmonics p, q are halves of sums over p + q and p - q; so 4 H + 1 means of an entry
+  // make all its (2 H + 1)^2 coefficients.
+  const MatrixXd means = k.samples_ * k.fourier_.products();  // entries by means
+  const auto of_cosine = [](Index n) { return n == 0 ? 0 : 2 * n - 1; };
+  const auto of_sine = [](Index n) { return 2 * n; };
+  Index first = 0;
+  const auto add_entries = [&](MatrixXd& mine) {
+    const auto term = [&](Index a, Index b, double factor, Index column) {
+      const double* block = &means(first, column);
+      mine.block(a * block_, b * block_, block_, block_) += factor * Eigen::Map<const MatrixXd>(block, block_, block_);
+    };
+    term(0, 0, 1, 0);
+    for (Index p = 1; 2 * p < coefficients_; ++p) {
+      const Index cosine = 2 * p - 1;
+      const Index sine = 2 * p;
+      term(0, cosine, 1, of_cosine(p));
+      term(0, sine, 1, of_sine(p));
+      term(cosine, 0, 2, of_cosine(p));
+      term(sine, 0, 2, of_sine(p));
+      for (Index q = 1; 2 * q < coefficients_; ++q) {
+        const Index difference = std::abs(p - q);
+        term(cosine, 2 * q - 1, 1, of_cosine(difference));
+        term(cosine, 2 * q - 1, 1, of_cosine(p + q));
+        term(sine, 2 * q, 1, of_cosine(difference));
+        term(sine, 2 * q, -1, of_cosine(p + q));
+        term(cosine, 2 * q, 1, of_sine(p + q));
+        term(sine, 2 * q - 1, 1, of_sine(p + q));
+        if (p == q) continue;
+        const double sign = p > q ? 1 : -1;
+        term(cosine, 2 * q, -sign, of_sine(difference));
+        term(sine, 2 * q - 1, sign, of_sine(difference));
+      }
+    }
+    first += block_ * block_;
+  };
+  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
+    add_entries(diagonal_[i]);
+    if (i + 1 == diagonal_.size()) break;
+    add_entries(upper_[i]);
+    add_entries(lower_[i]);
+  }
 }
 
 Eigen::RowVectorXd HarmonicMatrix::row(Index place) const {

@@ -9,9 +9,12 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "periodic_fourier.hpp"
 #include "strandyn/math/chain_matrix.hpp"
 
 namespace strandyn::solver {
+
+class CycleMatrix;
 
 class HarmonicMatrix {
  public:
@@ -27,6 +30,10 @@ class HarmonicMatrix {
   /// Coefficient a of the equations changes by factors(a, b) k times coefficient b of the unknowns; without the update
   /// of rank one of k.
   void add(const Eigen::MatrixXd& factors, const math::ChainMatrix& k);
+  /// The same of one element, which joins nodes i and i + 1, where it is alone in k.
+  void add_element(const Eigen::MatrixXd& factors, const math::ChainMatrix& k, std::size_t i);
+  /// What a matrix that changes along the cycle does to harmonics: sum_j projection_j k_j basis_j.
+  void add(const CycleMatrix& k);
   /// The equation at a place, as a row over all unknowns.
   Eigen::RowVectorXd row(Eigen::Index place) const;
   /// Makes the equation read x = right-hand side.
@@ -38,9 +45,28 @@ class HarmonicMatrix {
 
  private:
   friend class HarmonicFactors;
+  template <class Block>
+  void add_block(Eigen::MatrixXd& mine, const Eigen::MatrixXd& factors, const Block& theirs) const;
   int block_;
   Eigen::Index coefficients_, width_;
   std::vector<Eigen::MatrixXd> diagonal_, upper_, lower_;
+};
+
+/// Samples of a chain's matrix around a cycle, without their updates of rank one.
+class CycleMatrix {
+ public:
+  CycleMatrix(const Fourier& fourier, int block, std::size_t nodes)
+      : fourier_(fourier), block_(block), samples_(entries(block, nodes), fourier.samples()) {}
+  void set(Eigen::Index sample, const math::ChainMatrix& k);
+
+ private:
+  friend class HarmonicMatrix;
+  static Eigen::Index entries(int block, std::size_t nodes) {
+    return static_cast<Eigen::Index>(3 * nodes - 2) * block * block;
+  }
+  const Fourier& fourier_;
+  int block_;
+  Eigen::MatrixXd samples_;  // entries by samples: per node its diagonal block, the one above, the one below
 };
 
 class HarmonicFactors {

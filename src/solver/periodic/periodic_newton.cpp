@@ -1,6 +1,7 @@
 // The linear equations of Newton's method for the balance of all harmonics.
 
 #include "periodic_balance.hpp"
+#include "strandyn/beam/planar_element.hpp"
 
 namespace strandyn::solver {
 
@@ -24,27 +25,30 @@ void HarmonicBalance::section_stiffness(const section::TangentField& tangents, M
 }
 
 void HarmonicBalance::add_slip(const SectionModel& model, HarmonicMatrix& T) const {
-  if (model.slipping.empty()) return;
   const Index m = fourier_.coefficients();
   const auto axes = static_cast<Index>(axes_.size());
-  section::TangentField tangents(axes == 1 ? section::Dimension::planar : section::Dimension::spatial,
-                                 system_.committed_strains().points());
+  const std::size_t points = system_.committed_strains().points();
   Matrix K = system_.make_matrix();
-  for (Index a = 0; a < m; ++a) {
-    for (Index b = 0; b < m; ++b) {
-      end_if_asked(options_.stop);
-      for (std::size_t s = 0; s < model.slipping.size(); ++s) {
-        for (Index r = 0; r < axes; ++r) {
-          for (Index c = 0; c < axes; ++c) {
-            tangents(axes_[static_cast<std::size_t>(r)], axes_[static_cast<std::size_t>(c)])[model.slipping[s]] =
-                model.extra[s](r * m + a, c * m + b);
-          }
+  // Stiffness of one section for a tangent of one. Every other element shares no node with the next such one, so that
+  // all of these are found at once.
+  for (std::size_t first = 0; first < 2 * beam::gauss_points; ++first) {
+    std::vector<std::size_t> those;  // of the slipping points
+    for (std::size_t s = 0; s < model.slipping.size(); ++s) {
+      if (model.slipping[s] % (2 * beam::gauss_points) == first) those.push_back(s);
+    }
+    if (those.empty()) continue;
+    for (Index r = 0; r < axes; ++r) {
+      for (Index c = 0; c < axes; ++c) {
+        end_if_asked(options_.stop);
+        section::TangentField tangents(axes == 1 ? section::Dimension::planar : section::Dimension::spatial, points);
+        auto& one = tangents(axes_[static_cast<std::size_t>(r)], axes_[static_cast<std::size_t>(c)]);
+        for (std::size_t s : those) one[model.slipping[s]] = 1;
+        section_stiffness(tangents, K);
+        for (std::size_t s : those) {
+          const MatrixXd factors = model.extra[s].block(r * m, c * m, m, m);
+          T.add_element(factors, K, model.slipping[s] / beam::gauss_points);
         }
       }
-      section_stiffness(tangents, K);
-      MatrixXd factors = MatrixXd::Zero(m, m);
-      factors(a, b) = 1;
-      T.add(factors, K);
     }
   }
 }
@@ -54,15 +58,17 @@ void HarmonicBalance::assemble(const PeriodicPoint& point, const BalanceEvaluati
   const Index m = fourier_.coefficients();
   Matrix K = system_.make_matrix();
   const MatrixXd u = swing(point).u;
+  CycleMatrix around(fourier_, K.block(), K.nodes());
   for (Index j = 0; j < u.cols(); ++j) {
     end_if_asked(options_.stop);
     system_.stiffness_of(at.loops.stresses[static_cast<std::size_t>(j)], model.mean, u.col(j).data(), K);
     system_.subtract_external_tangent({.time = 0}, u.col(j).data(), K);
-    T.add(fourier_.projection().col(j) * fourier_.basis().row(j), K);
+    around.set(j, K);
     if (!K.update()) continue;
     columns.push_back(T.pack(K.update()->column * fourier_.projection().col(j).transpose()));
     rows.push_back(T.pack(K.update()->row * fourier_.basis().row(j)));
   }
+  T.add(around);
   add_slip(model, T);
   MatrixXd square = MatrixXd::Zero(m, m);
   MatrixXd turn = MatrixXd::Zero(m, m);
