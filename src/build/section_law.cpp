@@ -84,7 +84,7 @@ Made compliant(const Request& r) {
   const bool in_space = r.dimension == section::Dimension::spatial;
   if (r.strand->layers.size() > section::most_compliant_layers + 1) {
     casefile::refuse(r.scene.source, "section.law",
-                     fmt::format("compliant takes {} layers around the core at most", section::most_compliant_layers),
+                     fmt::format("takes {} layers around the core at most", section::most_compliant_layers),
                      "use return-map");
   }
   section::CompliantOptions options{.points = s.points, .compliance_scale = s.compliance_scale};
