@@ -94,7 +94,7 @@ HWY_INLINE bool slide_below(const SpringTable& table, const double* row, const I
   sign = with_sign_of(both(1), face[next_step]);
   const Sides along = times_sign(K_slip, sign);
   const Sides least = at_column(row, SpringTable::pull_below);
-  const Sides most = at_column(table.row(0), SpringTable::pull);
+  const Sides most = at_column(table.row(0), SpringTable::pull);  // of all: the grading's smallest spring
   const Sides then = face[limit_then];
   const Sides needed = mul(limit, both(surely_slides));
   const SideMasks forward = above(along, both(0));
@@ -161,11 +161,10 @@ struct SpringEnergy {
     stored = hn::Add(stored, hn::Add(twice.t, twice.c));
   }
   HWY_INLINE void lose(const Sides& per_kappa, const Sides& before, const Sides& trial, const Sides& now) {
-    const Sides slip = mul(per_kappa, sub(trial, now));
-    const Sides at_mean = mul(mul(both(0.5), add(now, before)), slip);
-    const Sides most = larger(mul(now, slip), at_mean);
-    lost = hn::Add(lost, hn::Add(most.t, most.c));
-    trapezoid = hn::Add(trapezoid, hn::Add(at_mean.t, at_mean.c));
+    const Slide t = slide_of(before.t, trial.t, now.t, per_kappa.t);
+    const Slide c = slide_of(before.c, trial.c, now.c, per_kappa.c);
+    lost = hn::Add(lost, hn::Add(t.loss, c.loss));
+    trapezoid = hn::Add(trapezoid, hn::Add(t.trapezoid, c.trapezoid));
   }
   HWY_INLINE void widen(const Sides& per_kappa, const Sides& before) {
     const Sides part = mul(mul(before, before), per_kappa);

@@ -85,6 +85,25 @@ TEST_CASE("compliant law: options that cannot be are refused in words") {
   CHECK_THROWS_AS(CompliantLaw{strand}, std::invalid_argument);
 }
 
+TEST_CASE("compliant law: of all springs of a contact the smallest one is the first to slide") {
+  // What bounds the springs that slide on takes it for granted.
+  for (const Strand& strand : {curlew(), steel_1x6()}) {
+    for (int springs : {4, 17, 64}) {
+      for (double smallest : {1e-6, 3e-5, 0.03}) {
+        const auto c = compliant_coefficients(strand, {.springs = springs, .smallest_slip = smallest});
+        for (const auto& layer : c.layers) {
+          for (const SpringTable& table : layer.chains) {
+            for (std::size_t side : {0U, 1U}) {
+              const auto pull = [&](std::size_t i) { return table.row(i)[2 * SpringTable::pull + side]; };
+              for (std::size_t i = 1; i < table.springs(); ++i) CHECK(pull(i) < pull(0));
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("compliant law: a small curvature meets the wires and their elastic contacts in series, less than EI_max") {
   const Strand strand = curlew();
   const CompliantLaw law(strand);
