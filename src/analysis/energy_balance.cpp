@@ -5,6 +5,9 @@
 
 namespace strandyn::analysis {
 
+using air::Vibration;
+using air::Wind;
+
 std::string_view describe(BalanceEnding ending) {
   switch (ending) {
     case BalanceEnding::balanced:

@@ -25,12 +25,14 @@ SteadyState steady_state(const std::vector<CycleLosses>& cycles, const SpanNumbe
     s.antinode_amplitude += weight * cycles[i].antinode_amplitude;
     s.dissipation += weight * (cycles[i].friction + cycles[i].material + cycles[i].viscous);
     s.air += weight * cycles[i].air;
+    s.dampers += weight * cycles[i].dampers;
     numerical += weight * cycles[i].numerical;
   }
   s.self_damping = s.dissipation * span.frequency / span.length;
   s.damping_ratio = damping_ratio_at(s.self_damping, s.antinode_amplitude, span);
   s.loss_factor = 2 * s.damping_ratio;
-  if (s.dissipation + s.air > 0) s.numerical_share = std::abs(numerical) / (s.dissipation + s.air);
+  const double lost = s.dissipation + s.air + s.dampers;
+  if (lost > 0) s.numerical_share = std::abs(numerical) / lost;
   return s;
 }
 

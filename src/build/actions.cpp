@@ -98,6 +98,27 @@ void refuse_on_support(const casefile::Scene& scene, const BuiltSpan& built, std
 
 void add_supports(const casefile::Scene& scene, BuiltSpan& built) {
   built.model.supports = {support(0, scene.span->left), support(built.model.nodes.size() - 1, scene.span->right)};
+  double from = 0;
+  for (std::size_t number = 0; number < scene.span->supports.size(); ++number) {
+    const casefile::SuspensionKeys& keys = scene.span->supports[number];
+    const std::size_t node = node_at(scene, built, keys.at, fmt::format("span.support[{}].at_m", number));
+    const bool is_string = keys.type == casefile::Suspension::string;
+    model::Support held = support(
+        node, keys.type == casefile::Suspension::clamped ? casefile::Support::clamped : casefile::Support::pinned);
+    if (is_string) {
+      // A pendulum: it swings along the line, under the weight of half a span on either side and half of its own.
+      const double to =
+          number + 1 < scene.span->supports.size() ? scene.span->supports[number + 1].at : *scene.span->length;
+      const double mass = casefile::mass_per_length(scene).value_or(0) * (to - from) / 2 + keys.string_mass / 2;
+      held.fixed[static_cast<std::size_t>(Unknown::x)] = false;
+      built.model.bodies.push_back({.node = node,
+                                    .mass = keys.string_mass / 3,
+                                    .stiffness = mass * gravity / keys.string_length,
+                                    .direction = Eigen::Vector3d::UnitX()});
+    }
+    built.model.supports.push_back(held);
+    from = keys.at;
+  }
 }
 
 void add_loads(const casefile::Scene& scene, BuiltSpan& built) {
@@ -165,6 +186,11 @@ void add_bodies(const casefile::Scene& scene, BuiltSpan& built) {
                                   .stiffness = body.stiffness,
                                   .damping = body.damping,
                                   .direction = vector(*body.direction)});
+  }
+  for (std::size_t number = 0; number < scene.dampers.size(); ++number) {
+    const casefile::DamperKeys& damper = scene.dampers[number];
+    built.model.bodies.push_back(
+        {.node = node_at(scene, built, damper.at, fmt::format("damper[{}].at_m", number)), .mass = *damper.clamp_mass});
   }
 }
 

@@ -13,8 +13,10 @@ struct Handbook {
   double heat_capacity = 0;  // [J/(kg K)]
   double density = 0;        // [kg/m^3]
 };
-constexpr Handbook aluminium{.expansion = 23e-6, .conductivity = 234, .heat_capacity = 900, .density = 2703};
-constexpr Handbook steel{.expansion = 11.5e-6, .conductivity = 50, .heat_capacity = 480, .density = 7780};
+constexpr Handbook aluminium{
+    .expansion = casefile::expansion_of_aluminium, .conductivity = 234, .heat_capacity = 900, .density = 2703};
+constexpr Handbook steel{
+    .expansion = casefile::expansion_of_steel, .conductivity = 50, .heat_capacity = 480, .density = 7780};
 constexpr double kelvin = 273.15;
 
 section::Metal metal_of(const conductor::Layer& layer, const casefile::Material& keys) {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "parts.hpp"
+#include "strandyn/build/wind.hpp"
 
 namespace strandyn::build {
 namespace {
@@ -26,6 +27,12 @@ double shortest_loop(const casefile::Scene& scene, double tension, double length
   for (const casefile::Load& load : scene.loads) consider(load);
   for (const casefile::Motion& motion : scene.motions) consider(motion);
   if (scene.initial) consider_mode(scene.initial->velocity_mode);
+  for (const casefile::WindKeys& wind : scene.winds) {
+    if (wind.mode) consider_mode(*wind.mode);
+    if (const auto frequency = shedding_frequency(scene)) {
+      shortest = std::min(shortest, loop_length(scene, tension, *frequency));
+    }
+  }
   std::visit(
       [&](const auto& analysis) {
         if constexpr (requires { analysis.near_frequency; }) {
@@ -51,6 +58,7 @@ std::vector<double> stations(const casefile::Scene& scene) {
     if (motion.at) at.push_back(*motion.at);
   }
   for (const casefile::Body& body : scene.bodies) at.push_back(body.at);
+  for (const casefile::DamperKeys& damper : scene.dampers) at.push_back(damper.at);
   std::visit(
       [&](const auto& analysis) {
         if constexpr (requires { analysis.probes; })
@@ -60,39 +68,89 @@ std::vector<double> stations(const casefile::Scene& scene) {
   return at;
 }
 
-std::vector<double> straight_positions(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built) {
+/// What a span of a line asks of its mesh: from one support to the next.
+struct Leg {
+  double from = 0, to = 0;  // [m]
+  double tension = 0;       // [N]
+  bool grade_left = false, grade_right = false;
+};
+
+std::vector<Leg> legs_of(const casefile::Scene& scene, const SectionNumbers& numbers, const BuiltSpan& built) {
   const casefile::Span& span = *scene.span;
   const bool graded = span.grading == casefile::Grading::clamps && built.tension > 0;
-  model::MeshOptions options{.length = built.length,
-                             .elements = 0,
-                             .end_size = 0,
-                             .grade_left = graded && span.left == casefile::Support::clamped,
-                             .grade_right = graded && span.right == casefile::Support::clamped,
-                             .growth = 0.25,
-                             .stations = stations(scene)};
-  // Half of the length within which bending dies out at a clamp when all wires slip there.
-  if (graded) built.end_size = options.end_size = 0.5 * std::sqrt(numbers.EI_min / built.tension);
+  std::vector<Leg> legs;
+  if (span.supports.empty()) {
+    legs.push_back({.from = 0, .to = built.length, .tension = built.tension});
+  } else {
+    for (const Stretch& stretch : stretches_of(scene, numbers.EA)) {
+      // At a suspension a line bends as at a clamp, where its spans do not swing alike.
+      legs.push_back({.from = stretch.from,
+                      .to = stretch.to,
+                      .tension = stretch.stringing.tension,
+                      .grade_left = graded,
+                      .grade_right = graded});
+    }
+  }
+  legs.front().grade_left = graded && span.left == casefile::Support::clamped;
+  legs.back().grade_right = graded && span.right == casefile::Support::clamped;
+  return legs;
+}
+
+/// Elements for each leg in proportion to its length, at least one; what rounding leaves goes to the longest elements.
+std::vector<std::size_t> share_out(const std::vector<double>& legs, std::size_t elements);
+
+std::vector<double> straight_positions(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built) {
+  const casefile::Span& span = *scene.span;
+  const std::vector<Leg> legs = legs_of(scene, numbers, built);
   const double elements_per_loop = std::visit(
       [&](const auto& analysis) {
         if constexpr (requires { analysis.elements_per_loop; }) return analysis.elements_per_loop;
         return span.elements_per_loop.value_or(10.0);
       },
       scene.analysis);
-  const double loop = shortest_loop(scene, built.tension, built.length);
-  options.elements =
-      span.elements ? static_cast<std::size_t>(*span.elements) : model::elements_for(options, loop / elements_per_loop);
-  if (!span.elements && options.elements > most_automatic) {
-    casefile::refuse(
-        scene.source, "span",
-        fmt::format("loops of {:.3g} m on {:.6g} m take {} elements{}", loop, built.length, options.elements,
-                    options.elements >= 1000000000 ? " or more" : ""),
-        fmt::format("the program chooses at most {}: give span.elements, a lower frequency or a shorter span",
-                    most_automatic));
+  std::vector<std::size_t> shares;
+  if (span.elements) {
+    std::vector<double> lengths;
+    for (const Leg& leg : legs) lengths.push_back(leg.to - leg.from);
+    shares = share_out(lengths, static_cast<std::size_t>(*span.elements));
   }
-  return model::span_mesh(options);
+  const std::vector<double> wanted = stations(scene);
+  std::vector<double> positions = {0};
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const Leg& leg = legs[i];
+    model::MeshOptions options{.length = leg.to - leg.from,
+                               .elements = 0,
+                               .end_size = 0,
+                               .grade_left = leg.grade_left,
+                               .grade_right = leg.grade_right,
+                               .growth = 0.25,
+                               .stations = {}};
+    for (const double s : wanted) {
+      const double apart = legs.size() > 1 ? model::same_place(built.length) : 0;  // a suspension is a node already
+      if (legs.size() == 1 || (s > leg.from + apart && s < leg.to - apart)) options.stations.push_back(s - leg.from);
+    }
+    // Half of the length within which bending dies out at a clamp when all wires slip there.
+    const bool graded = span.grading == casefile::Grading::clamps && leg.tension > 0;
+    if (graded) options.end_size = 0.5 * std::sqrt(numbers.EI_min / leg.tension);
+    if (i == 0) built.end_size = options.end_size;
+    const double loop = shortest_loop(scene, leg.tension, built.length);
+    options.elements = span.elements ? shares[i] : model::elements_for(options, loop / elements_per_loop);
+    total += options.elements;
+    if (!span.elements && total > most_automatic) {
+      casefile::refuse(
+          scene.source, "span",
+          fmt::format("loops of {:.3g} m on {:.6g} m take {} elements{}", loop, built.length, total,
+                      total >= 1000000000 ? " or more" : ""),
+          fmt::format("the program chooses at most {}: give span.elements, a lower frequency or a shorter span",
+                      most_automatic));
+    }
+    const std::vector<double> nodes = model::span_mesh(options);
+    for (std::size_t n = 1; n < nodes.size(); ++n) positions.push_back(leg.from + nodes[n]);
+  }
+  return positions;
 }
 
-/// Elements for each leg in proportion to its length, at least one; what rounding leaves goes to the longest elements.
 std::vector<std::size_t> share_out(const std::vector<double>& legs, std::size_t elements) {
   const double total = std::accumulate(legs.begin(), legs.end(), 0.0);
   std::vector<std::size_t> share;

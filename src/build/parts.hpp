@@ -24,6 +24,13 @@ struct Stringing {
 };
 Stringing find_stringing(const casefile::Scene& scene, double EA);
 
+/// One span of a line, or all there is.
+struct Stretch {
+  double from = 0, to = 0;  ///< [m] along the line
+  Stringing stringing;
+};
+std::vector<Stretch> stretches_of(const casefile::Scene& scene, double EA);
+
 /// `hanging` and `straight` of a chain under gravity.
 void add_hanging_shape(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built);
 

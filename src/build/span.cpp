@@ -5,6 +5,7 @@
 
 #include "parts.hpp"
 #include "strandyn/build/losses.hpp"
+#include "strandyn/build/wind.hpp"
 
 namespace strandyn::build {
 namespace {
@@ -69,15 +70,26 @@ beam::SpatialSectionInertia section_inertia(const casefile::Scene& scene, const 
 
 void lay_out_straight(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built) {
   const casefile::Span& span = *scene.span;
-  const Stringing stringing = find_stringing(scene, numbers.EA);
+  const std::vector<Stretch> stretches = stretches_of(scene, numbers.EA);
+  const Stringing& stringing = stretches.front().stringing;
   const Eigen::Vector3d chord(*span.length, span.height_difference, 0);
   built.length = chord.norm();
   built.tension = stringing.tension;
   built.catenary_sag = stringing.catenary_sag;
   refuse_lost_tension(scene, built.tension);
-  model::lay_out(built.model, model::StraightSpan{.positions = mesh_positions(scene, numbers, built),
-                                                  .strain = built.length / stringing.unstressed_length - 1,
-                                                  .direction = chord / built.length});
+  model::StraightSpan straight{.positions = mesh_positions(scene, numbers, built),
+                               .strain = built.length / stringing.unstressed_length - 1,
+                               .direction = chord / built.length};
+  if (stretches.size() > 1) {
+    std::size_t stretch = 0;
+    for (std::size_t e = 0; e + 1 < straight.positions.size(); ++e) {
+      const double middle = (straight.positions[e] + straight.positions[e + 1]) / 2;
+      while (middle > stretches[stretch].to) ++stretch;
+      const Stretch& here = stretches[stretch];
+      straight.strains.push_back((here.to - here.from) / here.stringing.unstressed_length - 1);
+    }
+  }
+  model::lay_out(built.model, straight);
 }
 
 void lay_out_polyline(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built) {
@@ -146,6 +158,8 @@ BuiltSpan build_span(const casefile::Scene& scene) {
   add_loads(scene, built);
   add_motions(scene, built);
   add_bodies(scene, built);
+  built.model.wind = wind_of(scene, built.model);
+  std::ranges::move(air_that_moves_along(built.model), std::back_inserter(built.model.bodies));
   built.damping = damping_of(scene, built);
   if (scene.span->gravity) {
     if (scene.span->nodes.empty()) {

@@ -154,10 +154,13 @@ void keys(V& v, Scene& s) {
   v.tables("load", s.loads, {.help = "the loads on the span"});
   v.tables("motion", s.motions, {.help = "prescribed motions of supports and points of the span"});
   v.tables("body", s.bodies, {.help = "lumped masses, springs and dampers on the span"});
+  v.tables("damper", s.dampers, {.help = "Stockbridge dampers on the span, in a run in time"});
   v.table("initial", s.initial, {.help = "how the span moves at the start"});
   v.table("damping", s.damping, {.help = "viscous damping beside the friction of the conductor"});
   v.table("air", s.air, {.help = "still air around the span, which takes what no self-damping takes"});
+  v.tables("wind", s.winds, {.help = "the wind across the span, in a run in time"});
   v.table("material", s.material, {.help = "damping of the metal of the wires"});
+  v.table("clamps", s.clamps, {.help = "what the wires feel beside clamped supports"});
   v.table("static", s.static_, {.help = "static equilibrium"});
   v.table("integrator", s.integrator, {.help = "the integration in time"});
   v.table("analysis", s.analysis, {.help = "what is computed", .required = true});

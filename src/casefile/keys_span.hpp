@@ -8,6 +8,27 @@ namespace strandyn::casefile {
 // ---- [span]
 
 template <class V>
+void keys(V& v, SuspensionKeys& s) {
+  v.number("at_m", s.at,
+           {.help = "the distance from the left support", .unit = units::m, .above = 0, .required = true});
+  v.choice("type", s.type, {.help = "how the line is held there: in place, in place and direction, or by a string"});
+  v.when("type", s.type, {Suspension::pinned, Suspension::clamped}, [&] {
+    v.number("tension_kN", s.tension,
+             {.help = "the tension of the span to its right (that of the span to its left unless given)",
+              .unit = units::kN,
+              .above = 0});
+  });
+  v.when("type", s.type, {Suspension::string}, [&] {
+    v.number("string_length_m", s.string_length,
+             {.help = "the length of the insulator string, which swings along the line",
+              .unit = units::m,
+              .above = 0,
+              .required = true});
+    v.number("string_mass_kg", s.string_mass, {.help = "its mass", .unit = units::kg, .at_least = 0});
+  });
+}
+
+template <class V>
 void keys(V& v, Span& s) {
   v.one_of({"length_m", "nodes_m"}, {.required = true});
   v.number("length_m", s.length, {.help = "the distance between the supports", .unit = units::m, .above = 0});
@@ -26,9 +47,17 @@ void keys(V& v, Span& s) {
   v.choice("grading", s.grading, {.help = "where the elements are short"});
   v.choice("left", s.left, {.help = "the left support (guided: held but for displacements along the span)"});
   v.choice("right", s.right, {.help = "the right support (guided: held but for displacements along the span)"});
+  v.tables("support", s.supports, {.help = "suspensions between the ends: a line of several spans"});
   v.choice("dimension", s.dimension, {.help = "whether the span moves in the plane of x and y only"});
   v.flag("torsion", s.torsion, {.help = "whether the span twists"});
   v.flag("gravity", s.gravity, {.help = "whether gravity acts, against y"});
+  v.number("temperature_C", s.temperature,
+           {.help = "the temperature of the conductor (that of stringing unless given)", .unit = units::celsius});
+  v.number("stringing_temperature_C", s.stringing_temperature,
+           {.help = "the temperature at which the tension was set, without ice", .unit = units::celsius});
+  v.number("expansion_per_K", s.expansion,
+           {.help = "the coefficient of thermal expansion (that of the wires unless given)", .at_least = 0});
+  v.number("ice_kg_per_m", s.ice, {.help = "the mass of ice on the conductor", .unit = units::kg_per_m, .at_least = 0});
   v.choice("mass", s.mass, {.help = "the mass matrix"});
   v.flag("rotary_inertia", s.rotary_inertia, {.help = "whether cross sections resist rotation by inertia"});
   v.flag(

@@ -13,8 +13,14 @@ void resolve_conductor(Conductor& conductor, const Source& source);
 /// follow, histories that step back.
 void resolve_loads(Scene& scene);
 
+/// Fills the dampers that the program knows by name; refuses those that do not fit the span.
+void resolve_dampers(Scene& scene);
+
 /// The checks of [air] and [material].
 void check_losses(const Scene& scene);
+
+/// The checks of [[wind]].
+void check_wind(const Scene& scene);
 
 /// Enough samples for the harmonics, in any analysis with a periodic response.
 void check_periodic(const Scene& scene);

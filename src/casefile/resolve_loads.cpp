@@ -39,10 +39,44 @@ struct ValueColumn {
   Unit unit = {};
 };
 
+/// What a reader should know of a measured history: steps that are not even, gaps, a clock that does not begin at 0.
+void note_what_is_odd(const History& history, const std::string& path, Scene& scene) {
+  constexpr std::size_t fewest = 8;  // a few rows are written by hand
+  if (history.size() < fewest) return;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < history.size(); ++i) steps.push_back(history[i][0] - history[i - 1][0]);
+  std::vector<double> sorted = steps;
+  std::ranges::sort(sorted);
+  const double usual = sorted[sorted.size() / 2];
+  constexpr double even = 1e-3, gap = 5;  // of the usual step
+  const auto largest = std::ranges::max_element(steps);
+  const auto gaps = std::ranges::count_if(steps, [&](double step) { return step > gap * usual; });
+  if (gaps > 0) {
+    scene.notes.push_back(
+        fmt::format("{}: {} {} in the rows, the longest of {:.4g} s after {:.6g} s, where {:.4g} s are "
+                    "usual; the curve goes across",
+                    path, gaps, gaps == 1 ? "gap" : "gaps", *largest,
+                    history[static_cast<std::size_t>(largest - steps.begin())][0], usual));
+  } else if (*largest - sorted.front() > even * usual) {
+    scene.notes.push_back(fmt::format("{}: steps of {:.4g} to {:.4g} s, not even; the curve goes through every row",
+                                      path, sorted.front(), *largest));
+  }
+  if (history.front()[0] > usual) {
+    scene.notes.push_back(
+        fmt::format("{}: begins at {:.6g} s and holds its first value before; history_begins_at_s "
+                    "says which time of the file is the beginning of the run",
+                    path, history.front()[0]));
+  }
+}
+
 /// The rows of a file are from here on the case's own.
-void read_history(std::optional<std::string>& file, const ValueColumn& value, History& history,
-                  const std::string& load_path, const Scene& scene) {
-  if (!file) return;
+void read_history(std::optional<std::string>& file, std::optional<double>& begins, const ValueColumn& value,
+                  History& history, const std::string& load_path, Scene& scene) {
+  if (!file) {
+    for (std::array<double, 2>& row : history) row[0] -= begins.value_or(0);
+    begins.reset();
+    return;
+  }
   const std::string path = load_path + ".history_file";
   const std::string remedy = fmt::format("give the columns time_s and {}, one row a time", value.name);
   const results::Table table = results::read_csv(std::filesystem::path(scene.source.file).parent_path() / *file);
@@ -52,8 +86,12 @@ void read_history(std::optional<std::string>& file, const ValueColumn& value, Hi
   if (table.rows() == 0) refuse(scene.source, path, "the file has no rows", remedy);
   const std::vector<double>& time = table.column("time_s");
   const std::vector<double>& values = table.column(value.name);
-  for (std::size_t i = 0; i < time.size(); ++i) history.push_back({time[i], value.unit.to_si(values[i])});
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    history.push_back({time[i] - begins.value_or(0), value.unit.to_si(values[i])});
+  }
+  begins.reset();
   check_history(history, true, load_path, scene);
+  note_what_is_odd(history, path, scene);
   file.reset();
 }
 
@@ -76,12 +114,14 @@ void resolve_direction(std::optional<Vector3>& direction, bool is_rotation, cons
   }
 }
 
-void resolve_load(Load& load, const std::string& path, const Scene& scene) {
+void resolve_load(Load& load, const std::string& path, Scene& scene) {
   check_place(load.at, path, scene);
   resolve_direction(load.direction, load.is_moment(), path, scene);
   const ValueColumn force{.name = "force_N", .unit = units::N}, moment{.name = "moment_N_m", .unit = units::N_m};
-  read_history(load.history_file, load.history_is_moment ? moment : force, load.history, path, scene);
+  read_history(load.history_file, load.history_begins, load.history_is_moment ? moment : force, load.history, path,
+               scene);
   check_history(load.history, false, path, scene);
+  if (load.type == LoadType::table && !load.interpolation) load.interpolation = Interpolation::linear;
 }
 
 /// Samples: as many and as evenly spaced as nobody writes corners.
@@ -96,7 +136,7 @@ bool is_sampled(const History& history) {
   return true;
 }
 
-void resolve_motion(Motion& motion, const std::string& path, const Scene& scene) {
+void resolve_motion(Motion& motion, const std::string& path, Scene& scene) {
   check_place(motion.at, path, scene);
   resolve_direction(motion.direction, motion.is_rotation(), path, scene);
   if (std::ranges::count(*motion.direction, 0.0) != 2) {
@@ -104,7 +144,8 @@ void resolve_motion(Motion& motion, const std::string& path, const Scene& scene)
   }
   const ValueColumn shift{.name = "displacement_mm", .unit = units::mm},
       turn{.name = "rotation_deg", .unit = units::deg};
-  read_history(motion.history_file, motion.history_is_rotation ? turn : shift, motion.history, path, scene);
+  read_history(motion.history_file, motion.history_begins, motion.history_is_rotation ? turn : shift, motion.history,
+               path, scene);
   check_history(motion.history, false, path, scene);
   if (motion.type == MotionType::table && !motion.interpolation) {
     motion.interpolation = is_sampled(motion.history) ? Interpolation::smooth : Interpolation::linear;
@@ -125,8 +166,7 @@ void resolve_body(Body& body, const std::string& path, const Scene& scene) {
 }
 
 template <class T, class Resolve>
-void resolve_each(std::vector<T>& list, const char* name, const Scene& scene, Refusals& refusals,
-                  const Resolve& resolve) {
+void resolve_each(std::vector<T>& list, const char* name, Scene& scene, Refusals& refusals, const Resolve& resolve) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     refusals.hold([&] { resolve(list[i], fmt::format("{}[{}]", name, i), scene); });
   }

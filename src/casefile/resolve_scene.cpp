@@ -121,6 +121,35 @@ void check_strain(const Scene& scene) {
          fmt::format("give at least {:g} N, or a smaller tension", *tension / most));
 }
 
+/// A line of several spans.
+void check_suspensions(const Scene& scene) {
+  const Span& span = *scene.span;
+  if (span.supports.empty()) return;
+  const auto refuse_beside = [&](bool given, const char* key, const char* why, const char* remedy) {
+    if (given) refuse(scene.source, key, why, remedy);
+  };
+  const char* one_span = "belongs to one span, and span.support makes a line of several";
+  refuse_beside(!span.nodes.empty(), "span.nodes_m", one_span, "give length_m");
+  refuse_beside(span.height_difference != 0, "span.height_difference_m", one_span, "leave it out");
+  refuse_beside(span.condense_axial, "span.condense_axial",
+                "one tension for all, and the spans of a line have their own", "leave it out");
+  refuse_beside(span.unstressed_length.has_value(), "span.unstressed_length_m", one_span, "give tension_kN");
+  double last = 0;
+  for (std::size_t i = 0; i < span.supports.size(); ++i) {
+    const SuspensionKeys& support = span.supports[i];
+    const std::string path = fmt::format("span.support[{}]", i);
+    if (support.at <= last || support.at >= *span.length) {
+      refuse(scene.source, path + ".at_m", "does not lie between its neighbours",
+             "give the suspensions from left to right, between the ends");
+    }
+    last = support.at;
+    if (!support.tension) continue;
+    const bool beside_string = (i > 0 && span.supports[i - 1].type == Suspension::string) ||
+                               (i + 1 < span.supports.size() && span.supports[i + 1].type == Suspension::string);
+    if (beside_string && !span.gravity) continue;
+  }
+}
+
 void check_span(const Scene& scene) {
   const Span& span = *scene.span;
   if (span.tension_rts) check_rated_strength(scene, "span.tension_rts");
@@ -146,6 +175,7 @@ void check_span(const Scene& scene) {
     refuse(scene.source, "span", "its tension is missing",
            "give exactly one of tension_kN (0 for none), tension_rts, unstressed_length_m");
   }
+  check_suspensions(scene);
   check_strain(scene);
   check_what_is_left_out(scene);
   if ((needs_mass(scene.analysis) || span.gravity) && !mass_per_length(scene)) {
@@ -221,8 +251,8 @@ void check_analysis(const Scene& scene) {
            scene.initial ? "excludes [initial], and both are given" : "is missing, and nothing else starts the motion",
            "give exactly one: antinode_amplitude_mm, or [initial] with a velocity");
   }
-  const bool cycle =
-      std::ranges::any_of(scene.loads, &Load::is_harmonic) || std::ranges::any_of(scene.motions, &Motion::is_harmonic);
+  const bool cycle = std::ranges::any_of(scene.loads, &Load::is_harmonic) ||
+                     std::ranges::any_of(scene.motions, &Motion::is_harmonic) || !scene.winds.empty();
   if (needs_drive(scene.analysis) && !cycle) {
     refuse(scene.source, "analysis.type", "has no load that sets the cycle",
            "give a [[load]] with type = \"harmonic-force\", or a [[motion]] with type = \"harmonic-motion\", and its "
@@ -304,9 +334,10 @@ void check_criteria(const Scene& scene) {
 /// What needs a sound conductor and a sound span to be told from a consequence of either.
 void check_on_span(Scene& scene, Refusals& refusals) {
   refusals.hold([&] { resolve_loads(scene); });
+  refusals.hold([&] { resolve_dampers(scene); });
   refusals.hold([&] { fill_laboratory_grid(scene); });
   for (const auto check : {check_analysis, check_static, check_transient, check_periodic, check_sweep, check_losses,
-                           check_self_damping, check_accuracy}) {
+                           check_wind, check_self_damping, check_accuracy}) {
     refusals.hold([&] { check(scene); });
   }
 }

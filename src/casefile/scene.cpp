@@ -57,10 +57,31 @@ std::optional<std::size_t> first_static_force(const Scene& scene) {
   return static_cast<std::size_t>(first - scene.loads.begin());
 }
 
-std::optional<double> mass_per_length(const Scene& scene) {
+std::optional<double> strung_mass_per_length(const Scene& scene) {
   if (scene.section.mass_per_length) return scene.section.mass_per_length;
   if (scene.conductor && scene.conductor->strand.mass_per_length > 0) return scene.conductor->strand.mass_per_length;
   return std::nullopt;
+}
+
+std::optional<double> mass_per_length(const Scene& scene) {
+  const std::optional<double> strung = strung_mass_per_length(scene);
+  if (!strung || !scene.span) return strung;
+  return *strung / (1 + thermal_strain(scene)) + scene.span->ice;
+}
+
+double thermal_strain(const Scene& scene) {
+  if (!scene.span || !scene.span->temperature) return 0;
+  const double rise = *scene.span->temperature - scene.span->stringing_temperature;
+  if (scene.span->expansion) return *scene.span->expansion * rise;
+  if (!scene.conductor) return 0;
+  double stiffness = 0, push = 0;
+  for (const conductor::Layer& layer : scene.conductor->strand.layers) {
+    const double c = std::cos(layer.lay_angle);
+    const double EA = layer.wires * layer.young * layer.wire_area * c * c * c;
+    stiffness += EA;
+    push += EA * (layer.young >= steel_from ? expansion_of_steel : expansion_of_aluminium);
+  }
+  return stiffness > 0 ? push / stiffness * rise : 0;
 }
 
 }  // namespace strandyn::casefile

@@ -5,32 +5,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "arm_model.hpp"
 #include "strandyn/solver/modes/modes.hpp"
 #include "strandyn/system/system.hpp"
 #include "without_axial.hpp"
 
 namespace strandyn::damper {
 
-using section::Component;
 using solver::PeriodicSolution;
 
 namespace {
 
-/// [-] of the branch that stands for the metal: w tau. What it adds to the stiffness is this part of what it loses.
-constexpr double slowness = 1e-3;
 /// A step from one answer to the next is halved so often.
 constexpr int most_halvings = 5;
 /// From rest, amplitude is raised in so many doublings.
 constexpr int doublings = 6;
-
-/// Along its axis the messenger hardly moves: bending alone counts.
-section::MaterialBranches branch_at(const section::MaterialLoss& loss, double omega) {
-  const double wanted = section::loss_at(loss, Component::bending2, omega);
-  if (wanted == 0) return {};
-  section::MaterialBranch branch{.relaxation_time = slowness / omega};
-  branch.stiffness[static_cast<std::size_t>(Component::bending2)] = wanted * (1 + slowness * slowness) / slowness;
-  return {branch};
-}
 
 /// Between two motions of the clamp, evenly in logarithms.
 Shake between(const Shake& a, const Shake& b) {
@@ -49,23 +38,7 @@ std::size_t ArmChain::section_points() const {
 }
 
 model::Model ArmChain::model_at(double frequency) const {
-  model::Model model;
-  model.freedom = model::Freedom::transverse_planar;
-  std::vector<double> nodes;
-  for (std::size_t i = 0; i <= options_.elements; ++i) {
-    nodes.push_back(arm_.length * static_cast<double>(i) / static_cast<double>(options_.elements));
-  }
-  model::lay_out(model, {.positions = nodes, .strain = 0});
-  model.supports = {{.node = 0, .fixed = {true, true, true, true, true, true}}};
-  model.bodies = {{.node = options_.elements,
-                   .mass = arm_.weight.mass,
-                   .inertia = arm_.weight.inertia,
-                   .eccentricity = {-arm_.weight.eccentricity, 0}}};
-  model.law = messenger_.law;
-  model.inertia = {.mass = messenger_.mass_per_length, .rotary = 0};
-  model.mass_matrix = model::MassMatrix::consistent;
-  if (frequency > 0) model.material = branch_at(messenger_.material, 2 * std::numbers::pi * frequency);
-  return model;
+  return arm_model(arm_, messenger_, options_.elements, frequency);
 }
 
 std::vector<double> ArmChain::natural_frequencies(std::size_t count) const {

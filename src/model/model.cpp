@@ -26,12 +26,13 @@ Eigen::Matrix3d next_triad(const Eigen::Matrix3d& before, const Eigen::Vector3d&
 }
 
 /// Elements between the nodes, their unstressed length the reference one over 1 + strain.
-void join_nodes(Model& model, double strain) {
+void join_nodes(Model& model, double strain, const std::vector<double>& strains = {}) {
   model.elements.clear();
   for (std::size_t i = 0; i + 1 < model.nodes.size(); ++i) {
     const Eigen::Vector3d d = model.nodes[i + 1] - model.nodes[i];
     const Eigen::Matrix3d triad = i == 0 ? first_triad(d) : next_triad(model.elements.back().triad, d);
-    model.elements.push_back({.span = d, .length = d.norm() / (1 + strain), .triad = triad});
+    model.elements.push_back(
+        {.span = d, .length = d.norm() / (1 + (strains.empty() ? strain : strains[i])), .triad = triad});
   }
 }
 
@@ -72,7 +73,7 @@ Eigen::Vector3d Model::rotation(const double* u, std::size_t node) const {
 void lay_out(Model& model, const StraightSpan& span) {
   model.nodes.clear();
   for (double s : span.positions) model.nodes.push_back(span.start + s * span.direction);
-  join_nodes(model, span.strain);
+  join_nodes(model, span.strain, span.strains);
 }
 
 void lay_out(Model& model, const Polyline& line) {

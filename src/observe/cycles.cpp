@@ -92,6 +92,7 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
   Cycle cycle{.end_time = time,
               .antinode_amplitude = deflection_.largest(),
               .external_work = at_end.external_work - cycle_start_.external_work,
+              .wind = at_end.wind - cycle_start_.wind,
               .kinetic = at_end.kinetic,
               .elastic = at_end.elastic,
               .friction = at_end.friction - cycle_start_.friction,
@@ -100,6 +101,7 @@ void CycleObserver::end_cycle(const Account& at_end, double time) {
               .viscous_parts =
                   system::of_each_term([&](auto term) { return at_end.viscous.*term - cycle_start_.viscous.*term; }),
               .air = at_end.air - cycle_start_.air,
+              .attached = at_end.attached - cycle_start_.attached,
               .numerical = at_end.numerical() - cycle_start_.numerical(),
               .quadrature_error = at_end.quadrature_error - cycle_start_.quadrature_error,
               .internal_work = at_end.internal_work - cycle_start_.internal_work};

@@ -90,12 +90,17 @@ Vector3d MomentumObserver::outer_force(const system::System& system, const StepR
   if (record.external.size() != record.u.size()) throw ComputationError("momentum needs the forces of every step");
   Vector external = record.external;
   Vector resistance = record.internal;
-  system.add_inertia_and_drag({.u = record.u.data(), .v = record.v.data(), .a = record.a.data()}, resistance.data());
+  const system::State state{.u = record.u.data(), .v = record.v.data(), .a = record.a.data()};
+  system.add_inertia_and_drag(state, resistance.data());
+  Vector attached = system.make_vector();
+  system.add_attached_force(state, record.time, attached.data());
+  resistance += attached;
   for (std::size_t i = 0; i < system.unknowns(); ++i) {
     if (system.is_held(i)) external(static_cast<Eigen::Index>(i)) = resistance(static_cast<Eigen::Index>(i));
   }
   // Of the internal forces only those of springs to the ground are left in the sum.
-  return total(model, external) - total(model, record.internal) - viscous_force(system, record.v);
+  return total(model, external) - total(model, record.internal) - total(model, attached) -
+         viscous_force(system, record.v);
 }
 
 Vector3d MomentumObserver::find_momentum(const system::System& system, const StepRecord& record) {

@@ -6,6 +6,9 @@
 #include "strandyn/analysis/bending_amplitude.hpp"
 #include "strandyn/analysis/energy_balance.hpp"
 #include "strandyn/analysis/published_laws.hpp"
+#include "strandyn/build/wind.hpp"
+#include "strandyn/fatigue/endurance.hpp"
+#include "strandyn/self_damping/protection.hpp"
 
 namespace strandyn::self_damping {
 
@@ -13,18 +16,6 @@ using casefile::BalancedBy;
 using casefile::Scene;
 
 namespace {
-
-const analysis::WindPowerCurve& curve_of(casefile::WindCurve wind) {
-  switch (wind) {
-    case casefile::WindCurve::diana_falco:
-      return analysis::diana_falco();
-    case casefile::WindCurve::brika_laneville:
-      return analysis::brika_laneville();
-    case casefile::WindCurve::cigre:
-      break;
-  }
-  return analysis::cigre_cubic();
-}
 
 analysis::PowerLaw published_law(const Scene& scene, const casefile::EnergyBalanceKeys& balance) {
   const conductor::Strand& strand = scene.conductor->strand;
@@ -45,14 +36,14 @@ analysis::PowerLaw published_law(const Scene& scene, const casefile::EnergyBalan
 analysis::SelfDamping damping_of(const BalanceInputs& inputs, const casefile::EnergyBalanceKeys& balance,
                                  double tension) {
   const auto by_method = [tension](auto method) -> analysis::SelfDamping {
-    return [method, tension](const analysis::Vibration& v) {
+    return [method, tension](const air::Vibration& v) {
       const PointResult result =
           method->at({.frequency = v.frequency, .antinode_amplitude = v.antinode_amplitude, .tension = tension}, {});
       return result.free_span.value_or(result.self_damping);
     };
   };
   const auto by_law = [tension](const analysis::PowerLaw& law) -> analysis::SelfDamping {
-    return [law, tension](const analysis::Vibration& v) {
+    return [law, tension](const air::Vibration& v) {
       return analysis::power(
           law, {.antinode_amplitude = v.antinode_amplitude, .frequency = v.frequency, .tension = tension});
     };
@@ -74,33 +65,137 @@ analysis::SelfDamping damping_of(const BalanceInputs& inputs, const casefile::En
 /// `within_curve` says so of a balance there.
 constexpr double lowest_over_diameter = 0.01;
 
-BalanceRow row_of(const Scene& scene, const casefile::EnergyBalanceKeys& keys, const analysis::Balance& balance,
-                  double frequency, double tension) {
-  const conductor::Strand& strand = scene.conductor->strand;
-  const build::SectionNumbers numbers = build::section_numbers(scene);
-  BalanceRow row{
-      .wind = std::string(name_of(keys.wind)),
-      .turbulence_intensity = keys.turbulence_intensity,
-      .self_damping = std::string(name_of(keys.self_damping)),
-      .tension = tension,
-      .frequency = frequency,
-      .wind_speed = analysis::wind_speed({.diameter = numbers.diameter, .strouhal = keys.strouhal}, frequency),
-      .ending = std::string(analysis::describe(balance.ending))};
-  if (keys.self_damping == BalancedBy::published) row.law = keys.law;
-  if (balance.ending != analysis::BalanceEnding::balanced) return row;
-  row.amplitude_over_diameter = balance.amplitude_over_diameter;
-  row.antinode_amplitude = balance.antinode_amplitude;
-  row.antinode_velocity = balance.antinode_velocity;
-  row.power = balance.power;
-  row.within_curve = balance.within_curve;
-  row.from_lowest = balance.from_lowest;
-  const analysis::ClampedEnd end = {.tension = tension, .EI_min = numbers.EI_min};
-  row.bending_amplitude = analysis::bending_amplitude(
-      end,
-      {.antinode_amplitude = balance.antinode_amplitude, .loop_length = build::loop_length(scene, tension, frequency)});
-  const conductor::Layer& surface = strand.layers.back();
-  row.bending_stress =
-      analysis::bending_stress(end, {.diameter = surface.diameter, .young = surface.young}, *row.bending_amplitude);
+/// A table of balances at one tension.
+class Line {
+ public:
+  Line(const BalanceInputs& inputs, const casefile::EnergyBalanceKeys& keys, double tension)
+      : scene_(inputs.scene),
+        keys_(keys),
+        tension_(tension),
+        numbers_(build::section_numbers(inputs.scene)),
+        wind_{.curve = build::curve_of(keys.wind),
+              .diameter = numbers_.diameter,
+              .turbulence_intensity = keys.turbulence_intensity},
+        self_damping_(damping_of(inputs, keys, tension)) {}
+
+  analysis::Balance bare(double frequency) const {
+    return analysis::energy_balance(wind_, frequency, self_damping_, {.lowest = lowest_over_diameter});
+  }
+  analysis::Balance with(const Protection& protection, double frequency) const {
+    const analysis::SelfDamping all = [&](const air::Vibration& v) {
+      return self_damping_(v) + protection.per_metre(v, tension_);
+    };
+    return analysis::energy_balance(wind_, frequency, all, {.lowest = lowest_over_diameter});
+  }
+
+  double wind_speed(double frequency) const { return air::wind_speed(cylinder(), frequency); }
+  double frequency_at(double speed) const { return air::shedding_frequency(cylinder(), speed); }
+
+  /// Peak to peak at 89 mm from a clamp whose loop has this antinode amplitude [m].
+  double bending_amplitude(double amplitude, double frequency) const {
+    return analysis::bending_amplitude(
+        end(), {.antinode_amplitude = amplitude, .loop_length = build::loop_length(scene_, tension_, frequency)});
+  }
+  double bending_stress(double bending_amplitude) const {
+    const conductor::Layer& surface = scene_.conductor->strand.layers.back();
+    return analysis::bending_stress(end(), {.diameter = surface.diameter, .young = surface.young}, bending_amplitude);
+  }
+
+  BalanceRow row(double frequency, const Protection* protection) const {
+    const analysis::Balance balance = protection ? with(*protection, frequency) : bare(frequency);
+    BalanceRow row{.wind = std::string(name_of(keys_.wind)),
+                   .turbulence_intensity = keys_.turbulence_intensity,
+                   .self_damping = std::string(name_of(keys_.self_damping)),
+                   .tension = tension_,
+                   .frequency = frequency,
+                   .wind_speed = wind_speed(frequency),
+                   .ending = std::string(analysis::describe(balance.ending))};
+    if (keys_.self_damping == BalancedBy::published) row.law = keys_.law;
+    if (balance.ending != analysis::BalanceEnding::balanced) return row;
+    row.amplitude_over_diameter = balance.amplitude_over_diameter;
+    row.antinode_amplitude = balance.antinode_amplitude;
+    row.antinode_velocity = balance.antinode_velocity;
+    row.power = balance.power;
+    row.within_curve = balance.within_curve;
+    row.from_lowest = balance.from_lowest;
+    double at_clamp = balance.antinode_amplitude;
+    if (protection) {
+      const Protection::Taken taken =
+          protection->at({.antinode_amplitude = balance.antinode_amplitude, .frequency = frequency}, tension_);
+      at_clamp = taken.largest_end_amplitude;
+      row.damper_power = taken.power;
+      row.damper_velocity = taken.damper_velocity;
+      row.reflection = taken.reflection;
+      const analysis::Balance alone = bare(frequency);
+      if (alone.ending == analysis::BalanceEnding::balanced) row.bare_amplitude = alone.amplitude_over_diameter;
+    }
+    row.bending_amplitude = bending_amplitude(at_clamp, frequency);
+    row.bending_stress = bending_stress(*row.bending_amplitude);
+    return row;
+  }
+
+ private:
+  air::VortexShedding cylinder() const { return {.diameter = numbers_.diameter, .strouhal = keys_.strouhal}; }
+  analysis::ClampedEnd end() const { return {.tension = tension_, .EI_min = numbers_.EI_min}; }
+
+  const Scene& scene_;
+  const casefile::EnergyBalanceKeys& keys_;
+  double tension_;
+  build::SectionNumbers numbers_;
+  air::Wind wind_;
+  analysis::SelfDamping self_damping_;
+};
+
+/// Where no balance is found vibration stays below the curve, and counts as none.
+PlacementRow placement_of(const Line& line, const Protection& protection, const std::vector<double>& frequencies) {
+  constexpr double endurance_limit = 8.5e6;  // [Pa]
+  PlacementRow placement;
+  std::size_t covered = 0;
+  for (const double frequency : frequencies) {
+    const BalanceRow row = line.row(frequency, &protection);
+    const double stress = row.bending_stress.value_or(0);
+    if (stress < endurance_limit) ++covered;
+    placement.largest_amplitude = std::max(placement.largest_amplitude, row.amplitude_over_diameter.value_or(0));
+    if (stress <= placement.largest_stress) continue;
+    placement.largest_stress = stress;
+    placement.worst_frequency = frequency;
+  }
+  placement.coverage = static_cast<double>(covered) / static_cast<double>(frequencies.size());
+  return placement;
+}
+
+/// All places of the first damper.
+std::vector<PlacementRow> placements_of(const Line& line, const BalanceInputs& inputs,
+                                        const casefile::EnergyBalanceKeys& keys,
+                                        const std::vector<double>& frequencies) {
+  std::vector<PlacementRow> rows;
+  const casefile::PlaceScan& scan = *keys.damper_at;
+  for (int i = 0; i < scan.count; ++i) {
+    const double at = scan.from + (scan.to - scan.from) * i / (scan.count - 1);
+    rows.push_back(placement_of(line, Protection(inputs.scene, keys, at), frequencies));
+    rows.back().at = at;
+  }
+  std::ranges::min_element(rows, {}, &PlacementRow::largest_stress)->is_best = true;
+  return rows;
+}
+
+DamageRow damage_of(const Line& line, const BalanceInputs& inputs, const casefile::EnergyBalanceKeys& keys,
+                    const Protection* protection) {
+  constexpr double seconds_an_hour = 3600;
+  std::vector<fatigue::StressCycles> spectrum;
+  for (const auto& [speed, hours] : keys.wind_hours) {
+    const double frequency = line.frequency_at(speed);
+    const BalanceRow row = line.row(frequency, protection);
+    if (row.bending_stress) {
+      spectrum.push_back({.stress = *row.bending_stress, .cycles = hours * seconds_an_hour * frequency});
+    }
+  }
+  const auto soft = std::ranges::count_if(inputs.scene.conductor->strand.layers, [](const conductor::Layer& layer) {
+    return layer.young < casefile::steel_from;
+  });
+  DamageRow row{.damage = fatigue::damage(soft > 1 ? fatigue::AluminiumLayers::several : fatigue::AluminiumLayers::one,
+                                          spectrum)};
+  if (row.damage > 0) row.years = 1 / row.damage;
   return row;
 }
 
@@ -116,17 +211,26 @@ Balances energy_balances(const BalanceInputs& inputs) {
           "an energy balance asks for the fit, and the points determine none; it is left out");
       continue;
     }
-    const analysis::Wind wind = {.curve = curve_of(keys.wind),
-                                 .diameter = build::section_numbers(inputs.scene).diameter,
-                                 .turbulence_intensity = keys.turbulence_intensity};
+    const std::vector<double>& frequencies = keys.frequencies.empty() ? a.frequencies : keys.frequencies;
     for (double tension : distinct_tensions(inputs.points)) {
-      const analysis::SelfDamping damping = damping_of(inputs, keys, tension);
-      for (double frequency : keys.frequencies.empty() ? a.frequencies : keys.frequencies) {
-        const analysis::Balance balance =
-            analysis::energy_balance(wind, frequency, damping, {.lowest = lowest_over_diameter});
-        balances.rows.push_back(row_of(inputs.scene, keys, balance, frequency, tension));
+      const Line line(inputs, keys, tension);
+      std::optional<Protection> protection;
+      if (!keys.dampers.empty()) protection.emplace(inputs.scene, keys);
+      for (double frequency : frequencies) {
+        balances.rows.push_back(line.row(frequency, protection ? &*protection : nullptr));
         balances.rows.back().number = i;
       }
+      if (keys.damper_at) {
+        for (PlacementRow& row : placements_of(line, inputs, keys, frequencies)) {
+          row.number = i;
+          row.tension = tension;
+          balances.placements.push_back(row);
+        }
+      }
+      if (keys.wind_hours.empty()) continue;
+      balances.damages.push_back(damage_of(line, inputs, keys, protection ? &*protection : nullptr));
+      balances.damages.back().number = i;
+      balances.damages.back().tension = tension;
     }
   }
   return balances;

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "strandyn/air/still_air.hpp"
+#include "strandyn/air/wind_power.hpp"
 #include "strandyn/analysis/methods.hpp"
-#include "strandyn/analysis/wind_power.hpp"
 #include "strandyn/core/side_by_side.hpp"
 #include "strandyn/self_damping/mode_loss.hpp"
 #include "table_accuracy.hpp"
@@ -78,7 +78,7 @@ std::vector<Point> points_of_quadrature(const Scene& scene, const std::vector<Po
     if (balance.self_damping != casefile::BalancedBy::quadrature) continue;
     for (double tension : distinct_tensions(all)) {
       for (double frequency : balance.frequencies.empty() ? a.frequencies : balance.frequencies) {
-        for (const analysis::WindPowerCurve* curve : analysis::wind_power_curves()) {
+        for (const air::WindPowerCurve* curve : air::wind_power_curves()) {
           for (double part : {curve->lowest, curve->highest}) {
             points.push_back({.frequency = frequency, .antinode_amplitude = part * diameter, .tension = tension});
           }

@@ -11,14 +11,14 @@ namespace strandyn::study {
 using Prepare = std::unique_ptr<Analysis>(const casefile::Scene& scene);
 
 Prepare prepare_section, prepare_axial_torsion, prepare_static, prepare_modes, prepare_decay, prepare_forced,
-    prepare_transient, prepare_sweep, prepare_self_damping, prepare_tradeoff, prepare_damper;
+    prepare_transient, prepare_sweep, prepare_self_damping, prepare_tradeoff, prepare_damper, prepare_fatigue;
 
 /// The members of the summary that are the analysis' own.
 using Notes = std::vector<results::MemberNote>();
 
 Notes notes_of_frame, notes_of_section, notes_of_axial_torsion, notes_of_static, notes_of_modes, notes_of_vibration,
     notes_of_decay_analysis, notes_of_transient, notes_of_sweep, notes_of_self_damping, notes_of_tradeoff,
-    notes_of_damper;
+    notes_of_damper, notes_of_fatigue;
 
 /// The analysis with a mesh, a step and points that meet the accuracy asked for, and an estimate of its error.
 Prepare prepare_accurate;
@@ -46,7 +46,8 @@ inline constexpr std::array entries = {
     Entry{casefile::SweepAnalysis::word, prepare_sweep, notes_of_sweep},
     Entry{casefile::SelfDampingAnalysis::word, prepare_self_damping, notes_of_self_damping},
     Entry{casefile::TradeoffAnalysis::word, prepare_tradeoff, notes_of_tradeoff},
-    Entry{casefile::DamperAnalysis::word, prepare_damper, notes_of_damper}};
+    Entry{casefile::DamperAnalysis::word, prepare_damper, notes_of_damper},
+    Entry{casefile::FatigueAnalysis::word, prepare_fatigue, notes_of_fatigue}};
 static_assert(entries.size() == std::variant_size_v<casefile::Analysis>, "one row for each analysis of a case");
 
 }  // namespace strandyn::study

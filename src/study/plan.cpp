@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "dampers.hpp"
+#include "strandyn/build/wind.hpp"
 #include "strandyn/observe/deflection_points.hpp"
 #include "strandyn/span/damping.hpp"
 #include "strandyn/span/trial_cycles.hpp"
@@ -35,13 +37,57 @@ std::vector<NamedMode> named_modes(const Scene& scene, const PlanAsk& ask) {
     add(scene.motions[i].frequency_mode, fmt::format("motion[{}].frequency", i));
   }
   if (scene.initial) add(scene.initial->velocity_mode, "initial.velocity_mode");
+  if (!scene.winds.empty()) add(scene.winds.front().mode, "wind[0].mode");
   add(ask.mode, "analysis.mode");
   return modes;
 }
 
 bool has_drive(const Scene& scene) {
   return std::ranges::any_of(scene.loads, &casefile::Load::is_harmonic) ||
-         std::ranges::any_of(scene.motions, &casefile::Motion::is_harmonic);
+         std::ranges::any_of(scene.motions, &casefile::Motion::is_harmonic) || !scene.winds.empty();
+}
+
+/// The wind acts from here on; a cycle has its frequency where no load has one. Vortices that are locked to a mode find
+/// it swinging with the smallest amplitude of their curve, unless the case says how the span begins.
+void let_wind_blow(const Scene& scene, const PlanAsk& ask, span::SpanAtRest& span,
+                   const std::vector<solver::Mode>& modes, VibrationPlan& plan) {
+  const casefile::WindKeys& keys = scene.winds.front();
+  const model::Model& model = span.built.model;
+  const std::optional<double> shedding = build::shedding_frequency(scene);
+  WindRow row{.model = std::string(name_of(keys.model))};
+  double frequency = shedding.value_or(0);
+  if (const auto* locked = std::get_if<model::LockedInWind>(&*model.wind)) {
+    const solver::Mode mode =
+        shedding ? span::mode_near(span, *shedding, ask.stop) : modes[static_cast<std::size_t>(*keys.mode) - 1];
+    frequency = mode.frequency;
+    plan.shape = span::unit_antinode(span, mode);
+    if (!scene.initial) {
+      const double velocity = 2 * std::numbers::pi * frequency * locked->wind.curve.lowest * locked->wind.diameter;
+      plan.velocity = velocity * plan.shape;
+    }
+    system::Matrix mass = span.system.make_matrix();
+    span.system.mass_matrix(span.u.data(), mass);
+    system::Vector momentum = span.system.make_vector();
+    mass.multiply(plan.shape.data(), momentum.data());
+    const double begins = momentum.dot(plan.velocity) / momentum.dot(plan.shape);
+    span.system.set_wind(system::make_locked_in_wind(model, {.frequency = frequency,
+                                                             .number = mode.number,
+                                                             .shape = plan.shape,
+                                                             .momentum = momentum,
+                                                             .rest = span.u,
+                                                             .velocity = begins}));
+    row.mode = static_cast<int>(mode.number);
+    row.diameter = locked->wind.diameter;
+    row.lowest = locked->wind.curve.lowest;
+    row.highest = locked->wind.curve.highest;
+  } else {
+    span.system.set_wind(system::make_wake_wind(model));
+    row.diameter = std::get<model::WakeWind>(*model.wind).wake.diameter;
+  }
+  row.frequency = shedding.value_or(frequency);
+  row.speed = air::wind_speed({.diameter = row.diameter, .strouhal = keys.strouhal}, row.frequency);
+  if (plan.frequency == 0) plan.frequency = frequency;
+  plan.wind = row;
 }
 
 /// What the span asks of its drives, with the frequencies of the modes.
@@ -175,6 +221,8 @@ VibrationPlan plan_vibration(const Scene& scene, const build::Integration& integ
     if (swing > 0) span.system.set_swing(swing);
   }
   if (!modes.empty()) plan.shape = span::unit_antinode(span, ask.mode ? mode(*ask.mode) : modes.back());
+  if (!scene.winds.empty()) let_wind_blow(scene, ask, span, modes, plan);
+  hang_dampers(scene, plan.frequency, span);
   choose_step(scene, integration, ask, span, plan);
   return plan;
 }

@@ -20,6 +20,22 @@ struct PlanAsk {
   Stop stop = {};  ///< asked while modes and trial cycles are computed
 };
 
+/// `wind` of summary.json: what blows.
+struct WindRow {
+  std::string model{};
+  double frequency = 0, speed = 0, diameter = 0;
+  std::optional<int> mode{};
+  std::optional<double> lowest{}, highest{};  ///< [-] A/D, the range of the curve; not told
+};
+template <class V>
+void members(V& v, WindRow& w) {
+  v.value("model", w.model, {.what = "power-curve or wake-oscillator"});
+  v.value("frequency_Hz", w.frequency, {.what = "at which vortices are shed, at the start"});
+  v.value("wind_speed_m_per_s", w.speed, {.what = "that sheds them at this frequency"});
+  v.value("diameter_m", w.diameter, {.what = "that the wind meets"});
+  v.value("mode", w.mode, {.what = "to which they are locked"});
+}
+
 struct VibrationPlan {
   double frequency = 0;  ///< [Hz] that a cycle refers to; 0 where a transient names none
   std::size_t cycles = 0;
@@ -34,6 +50,7 @@ struct VibrationPlan {
   /// Where the program has chosen the step (`auto`): the physical damping it expects, and the share it aims at.
   std::optional<double> expected_damping_ratio{};
   double aimed_share = 0;
+  std::optional<WindRow> wind{};
 
   double steps_per_cycle() const { return 1 / (frequency * step); }
 };

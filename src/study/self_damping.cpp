@@ -42,6 +42,8 @@ struct StudySummary {
   std::optional<std::vector<self_damping::OnsetRow>> onsets{};
   std::optional<std::vector<self_damping::ComparisonRow>> comparisons{};
   std::optional<std::vector<self_damping::BalanceRow>> balances{};
+  std::optional<std::vector<self_damping::PlacementRow>> placements{};
+  std::optional<std::vector<self_damping::DamageRow>> damages{};
   std::optional<RecomputedPoints> recomputed{};
 };
 template <class V>
@@ -52,7 +54,9 @@ void members(V& v, StudySummary& s) {
   v.part(s.grids);
   v.list("no_slip_below", s.onsets, {.what = "amplitudes below which no contact slips"});
   v.list("comparisons", s.comparisons, {.what = "points that several methods have reached"});
-  v.list("energy_balance", s.balances, {.what = "how far a bare conductor vibrates in the wind"});
+  v.list("energy_balance", s.balances, {.what = "how far the conductor vibrates in the wind"});
+  v.list("damper_placements", s.placements, {.what = "the first damper at the places that were tried"});
+  v.list("damage", s.damages, {.what = "what a year of wind does to the conductor at its clamp"});
   v.record("recomputed", s.recomputed, {.what = "where a study has gone on: what was computed twice"});
 }
 
@@ -175,7 +179,7 @@ void add_balances(const std::vector<self_damping::BalanceRow>& rows, Outcome& ou
   results::Table table = self_damping::table_of_balances(rows);
   if (table.rows() >= 2) {
     outcome.figures.push_back({.name = "energy_balance",
-                               .title = "Vibration of the bare conductor in the wind",
+                               .title = "Vibration of the conductor in the wind",
                                .table = "energy_balance.csv",
                                .x = "frequency_Hz",
                                .y = {"amplitude_over_diameter"},
@@ -367,6 +371,8 @@ void SelfDamping::sum_up(const std::vector<PointRow>& rows, Reached reached, Out
         {.scene = scene_, .points = points_, .quadrature = quadrature, .fit = summary.fits.law});
     for (std::string& warning : balances.warnings) outcome.warnings.push_back(std::move(warning));
     summary.balances = std::move(balances.rows);
+    if (!balances.placements.empty()) summary.placements = std::move(balances.placements);
+    if (!balances.damages.empty()) summary.damages = std::move(balances.damages);
   }
   outcome.tell(summary);
   add_point_tables(rows, outcome);

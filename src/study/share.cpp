@@ -71,6 +71,7 @@ std::vector<std::string> loss_columns(const casefile::Scene& scene) {
   std::vector<std::string> columns = {"viscous_dissipation_J", "friction_dissipation_J"};
   if (scene.material) columns.emplace_back("material_dissipation_J");
   if (scene.air) columns.emplace_back("air_dissipation_J");
+  if (!scene.dampers.empty()) columns.emplace_back("damper_dissipation_J");
   return columns;
 }
 

@@ -49,7 +49,8 @@ Components components(const Eigen::Vector3d& v) {
 /// One row of energies.csv: energies of the state, works and losses since the start.
 struct EnergyRow {
   double time = 0;
-  double kinetic = 0, elastic = 0, external_work = 0, friction = 0, material = 0, viscous = 0, air = 0;
+  double kinetic = 0, elastic = 0, external_work = 0, wind = 0, friction = 0, material = 0, viscous = 0, air = 0,
+         attached = 0;
   double numerical = 0, quadrature_error = 0;
 };
 template <class V>
@@ -58,10 +59,12 @@ void members(V& v, EnergyRow& e) {
   v.value("kinetic_J", e.kinetic, {.what = "kinetic energy"});
   v.value("elastic_J", e.elastic, {.what = "elastic energy above that of the initial state"});
   v.value("external_work_J", e.external_work, {.what = "work of the loads and of moved supports"});
+  v.value("wind_work_J", e.wind, {.what = "work of the wind"});
   v.value("friction_dissipation_J", e.friction, {.what = "friction between the wires"});
   v.value("material_dissipation_J", e.material, {.what = "damping of the metal of the wires"});
   v.value("viscous_dissipation_J", e.viscous, {.what = "all viscous damping"});
   v.value("air_dissipation_J", e.air, {.what = "still air"});
+  v.value("damper_dissipation_J", e.attached, {.what = "friction and metal of Stockbridge dampers"});
   v.value("numerical_dissipation_J", e.numerical, {.what = "what the other terms leave over"});
   v.value("quadrature_error_J", e.quadrature_error, {.what = "contained in the numerical part with a minus"});
 }
@@ -117,6 +120,7 @@ void members(V& v, MomentumRow& m) {
 struct TransientSummary {
   std::optional<span::Rest> rest{};
   PlanRow plan{};
+  std::optional<WindRow> wind{};
   double end_time = 0;
   std::vector<ProbeRow> probes{};
   MomentumRow momentum{};
@@ -126,6 +130,7 @@ template <class V>
 void members(V& v, TransientSummary& s) {
   v.record("rest", s.rest, {.what = "how a hanging span hangs"});
   v.record("plan", s.plan, {.what = "how it was integrated"});
+  v.record("wind", s.wind, {.what = "the wind, where there is one"});
   v.value("end_time_s", s.end_time, {.what = "that was reached"});
   v.list("probes", s.probes, {.what = "the points whose motion was written"});
   v.record("momentum", s.momentum, {.what = "of the chain, against the impulse"});
@@ -169,10 +174,12 @@ class EnergyHistory final : public observe::Observer {
                      .kinetic = a.kinetic,
                      .elastic = a.elastic,
                      .external_work = a.external_work,
+                     .wind = a.wind,
                      .friction = a.friction,
                      .material = a.material,
                      .viscous = a.viscous.total(),
                      .air = a.air,
+                     .attached = a.attached,
                      .numerical = a.numerical(),
                      .quadrature_error = a.quadrature_error});
   }
@@ -289,6 +296,7 @@ class Transient final : public Analysis {
     }
     const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
     summary.plan = study::row_of(plan);
+    summary.wind = plan.wind;
     if (hooks.announce) hooks.announce(words_of(plan, integration_));
 
     const double duration = scene_.as<casefile::TransientAnalysis>().duration;
@@ -312,6 +320,7 @@ class Transient final : public Analysis {
     add_histories(probes, outcome);
     outcome.tables.push_back({.file = "energies.csv", .table = results::table_of(energy.rows())});
     std::vector<std::string> drawn = {"kinetic_J", "elastic_J", "external_work_J"};
+    if (!scene_.winds.empty()) drawn.emplace_back("wind_work_J");
     std::ranges::copy(loss_columns(scene_), std::back_inserter(drawn));
     drawn.emplace_back("numerical_dissipation_J");
     outcome.figures.push_back({.name = "energies",

@@ -80,10 +80,6 @@ void System::held_rates(At at, double* v) const {
   }
 }
 
-void System::set_swing(double frequency) {
-  if (model_.surroundings) air_ = air::force_at(model_.surroundings->air, model_.surroundings->diameter, frequency);
-}
-
 void System::begin(const ConstVectorRef& u) {
   chain_->find_strains(u.data(), strains_);
   history_ = model_.law->start(strains_);
@@ -138,6 +134,7 @@ void System::internal_force(const double* u, double* f, Matrix& K) const {
 void System::residual(const State& state, At at, double* r) const {
   internal_force_at(state.u, at.time, r);
   if (!state.is_at_rest()) add_inertia_and_drag(state, r);
+  if (!state.is_at_rest()) add_attached_force(state, at.time, r);
   external_force(at, state.u, load_.data());
   for (std::size_t i = 0; i < unknowns(); ++i) r[i] -= load_(static_cast<Eigen::Index>(i));
 }
@@ -146,6 +143,7 @@ void System::residual(const State& state, At at, double* r, Matrix& K) const {
   internal_force_at(state.u, at.time, r, K);
   subtract_external_tangent(at, state.u, K);
   if (!state.is_at_rest()) add_inertia_and_drag(state, r);
+  if (!state.is_at_rest()) add_attached_force(state, at.time, r);
   external_force(at, state.u, load_.data());
   for (std::size_t i = 0; i < unknowns(); ++i) r[i] -= load_(static_cast<Eigen::Index>(i));
 }
@@ -163,6 +161,7 @@ void System::forces(const State& state, At at, Vector& external, Vector& interna
   if (!has_moving_supports()) return;
   load_ = internal;
   if (!state.is_at_rest()) add_inertia_and_drag(state, load_.data());
+  if (!state.is_at_rest()) add_attached_force(state, at.time, load_.data());
   for (std::size_t i = 0; i < unknowns(); ++i) {
     if (held_[i]) external(static_cast<Eigen::Index>(i)) = load_(static_cast<Eigen::Index>(i));
   }
@@ -268,6 +267,7 @@ void System::add_inertia_and_drag(const State& m, InertiaFactors factors, Matrix
   if (!air_.is_none() && factors.velocity != 0) air_on_chain_.add_tangent(air_, m.v, factors.velocity, K);
   for (const model::Body& body : model_.bodies) add_along(body, factors.velocity * body.damping, K);
   if (damping_.rayleigh && factors.velocity != 0) K.add(factors.velocity, *damping_.rayleigh);
+  if (wind_ && factors.velocity != 0) wind_->subtract_tangent(factors.velocity, K);
 }
 
 void System::hold(Matrix& K) const {
@@ -307,14 +307,12 @@ ViscousLoss System::viscous_power(const double* v) const {
   return power;
 }
 
-double System::air_power(const double* v) const {
-  return air_.is_none() ? 0 : air_on_chain_.power(air_, v);
-}
-
 void System::accelerations(const double* u, const double* v, const double* force, double* a) const {
   const Vector zero = make_vector();
   Vector velocity_terms = zero;
-  add_inertia_and_drag({.u = u, .v = v, .a = zero.data()}, velocity_terms.data());
+  const State without_acceleration{.u = u, .v = v, .a = zero.data()};
+  add_inertia_and_drag(without_acceleration, velocity_terms.data());
+  add_attached_force(without_acceleration, clock_.value_or(0), velocity_terms.data());
   Matrix M = make_matrix();
   mass_matrix(u, M);
   for (std::size_t i = 0; i < unknowns(); ++i) {
@@ -369,6 +367,8 @@ void System::archive(Archive& a) {
   a(energy_.stored, energy_.dissipated, energy_.quadrature_error);
   for (std::size_t c = 0; c < section::component_count; ++c) a(committed_[section::Component{c}]);
   a(material_, clock_, effort_, residual_evaluations_, jacobian_evaluations_);
+  if (wind_) wind_->archive(a);
+  for (const auto& attachment : attached_) attachment->archive(a);
 }
 
 bool System::shorten_rotations(double* u, double* v) const {

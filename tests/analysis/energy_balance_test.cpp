@@ -10,6 +10,7 @@
 #include "strandyn/exact/foti_2018.hpp"
 #include "support/check_close.hpp"
 
+using namespace strandyn::air;
 using namespace strandyn::analysis;
 using strandyn::test::check_close;
 

@@ -10,12 +10,12 @@
 #include <optional>
 #include <string_view>
 
-#include "strandyn/analysis/wind_power.hpp"
+#include "strandyn/air/wind_power.hpp"
 
 namespace strandyn::analysis {
 
 /// Self-damping [W/m] at the tension of the case: a published law, a fit, a closed form, a table, a simulation.
-using SelfDamping = std::function<double(const Vibration&)>;
+using SelfDamping = std::function<double(const air::Vibration&)>;
 
 enum class BalanceEnding {
   balanced,
@@ -43,7 +43,7 @@ struct Balance {
   bool within_curve = false;           ///< A/D lies in the range that the curve was fitted on
 };
 
-Balance energy_balance(const Wind& wind, double frequency, const SelfDamping& damping,
+Balance energy_balance(const air::Wind& wind, double frequency, const SelfDamping& damping,
                        const BalanceOptions& options = {});
 
 }  // namespace strandyn::analysis

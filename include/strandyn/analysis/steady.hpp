@@ -3,7 +3,8 @@
 ///
 ///     P/L = D f/L,   V = omega Y,   zeta = 2 (P/L)/(m omega V^2),   loss factor = 2 zeta                [IEEE563]
 /// with D the energy dissipated per cycle by friction, material and viscous damping, Y the antinode amplitude. Neither
-/// still air nor the numerical part of the ledger is folded in: the share |numerical|/(D + air) stands beside.
+/// still air nor the numerical part of the ledger is folded in: the share |numerical|/(D + air + dampers) stands
+/// beside.
 
 #include <cstddef>
 #include <optional>
@@ -19,6 +20,7 @@ struct CycleLosses {
   double material = 0;
   double viscous = 0;
   double air = 0;
+  double dampers = 0;  ///< hung on the span
   double numerical = 0;
 };
 
@@ -36,6 +38,7 @@ struct SteadyState {
   double antinode_amplitude = 0;          ///< [m] mean
   double dissipation = 0;                 ///< [J] mean per cycle, friction, material and viscous
   double air = 0;                         ///< [J] mean per cycle
+  double dampers = 0;                     ///< [J] likewise
   double self_damping = 0;                ///< [W/m]
   double damping_ratio = 0;               ///< [-] zeta
   double loss_factor = 0;                 ///< [-]

@@ -9,6 +9,7 @@
 #include "strandyn/casefile/analysis/axial_torsion.hpp"
 #include "strandyn/casefile/analysis/damper.hpp"
 #include "strandyn/casefile/analysis/decay.hpp"
+#include "strandyn/casefile/analysis/fatigue.hpp"
 #include "strandyn/casefile/analysis/forced.hpp"
 #include "strandyn/casefile/analysis/modes.hpp"
 #include "strandyn/casefile/analysis/section.hpp"
@@ -20,9 +21,9 @@
 
 namespace strandyn::casefile {
 
-using Analysis =
-    std::variant<SectionAnalysis, AxialTorsionAnalysis, StaticAnalysis, ModesAnalysis, DecayAnalysis, ForcedAnalysis,
-                 TransientAnalysis, SweepAnalysis, SelfDampingAnalysis, TradeoffAnalysis, DamperAnalysis>;
+using Analysis = std::variant<SectionAnalysis, AxialTorsionAnalysis, StaticAnalysis, ModesAnalysis, DecayAnalysis,
+                              ForcedAnalysis, TransientAnalysis, SweepAnalysis, SelfDampingAnalysis, TradeoffAnalysis,
+                              DamperAnalysis, FatigueAnalysis>;
 
 /// The word of the chosen one.
 inline std::string_view word_of(const Analysis& analysis) {

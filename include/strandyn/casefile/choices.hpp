@@ -34,6 +34,13 @@ constexpr auto words_of(Grading) {
   return std::array{Named{Grading::clamps, "clamps"}, Named{Grading::uniform, "uniform"}};
 }
 
+/// Between the ends of a line.
+enum class Suspension { pinned, clamped, string };
+constexpr auto words_of(Suspension) {
+  return std::array{Named{Suspension::pinned, "pinned"}, Named{Suspension::clamped, "clamped"},
+                    Named{Suspension::string, "string"}};
+}
+
 enum class Support { clamped, pinned, roller, free, guided };
 constexpr auto words_of(Support) {
   return std::array{Named{Support::clamped, "clamped"}, Named{Support::pinned, "pinned"},

@@ -58,15 +58,18 @@ struct Load {
   std::vector<std::array<double, 2>> history;  ///< [s], [N] ([N m] if history_is_moment), `table`
   std::optional<std::string> history_file;     ///< where it comes from; after reading it is in `history`
   bool history_is_moment = false;
-  std::optional<Vector3> direction;   ///< [-] unit vector; always set after reading
-  std::optional<double> frequency;    ///< [Hz] `harmonic-force`: this, or
-  std::optional<int> frequency_mode;  ///< that of this mode, counted from 1
+  std::optional<Interpolation> interpolation;  ///< of the history; always set after reading where there is one
+  std::optional<double> history_begins;        ///< [s] of the file that is the beginning of the run
+  std::optional<Vector3> direction;            ///< [-] unit vector; always set after reading
+  std::optional<double> frequency;             ///< [Hz] `harmonic-force`: this, or
+  std::optional<int> frequency_mode;           ///< that of this mode, counted from 1
 
   bool is_harmonic() const { return type == LoadType::harmonic_force; }
   bool is_moment() const { return moment.has_value() || history_is_moment; }
   /// How it changes with time. A harmonic one has no history of its own: it follows a drive of the run.
   math::TimeFunction history_function() const {
-    return type == LoadType::table ? math::TimeFunction(tabulated(history)) : math::Constant{};
+    if (type != LoadType::table) return math::Constant{};
+    return interpolation == Interpolation::smooth ? math::smooth(tabulated(history)) : tabulated(history);
   }
   /// The one of force, amplitude, moment that is given, which the history multiplies; 1 for a table.
   double value() const {
@@ -104,6 +107,10 @@ void keys(V& v, Load& l) {
            {.help = "the name of a csv file, beside the case, with the columns time_s and force_N (moment_N_m with "
                     "moment = true)"});
     v.flag("moment", l.history_is_moment, {.help = "whether the history is that of a moment"});
+    v.choice("interpolation", l.interpolation,
+             {.help = "straight lines, or the cubic spline through the rows (linear unless given)"});
+    v.number("history_begins_at_s", l.history_begins,
+             {.help = "the time of the file that is the beginning of the run (0 unless given)", .unit = units::s});
   });
   v.vector("direction", l.direction,
            {.help = "the direction of the force, or the axis of the moment (y, or z for a moment, unless given)"});
@@ -123,6 +130,7 @@ struct Motion {
   std::vector<std::array<double, 2>> history;  ///< [s], [m] ([rad] if history_is_rotation), `table`
   std::optional<std::string> history_file;     ///< where it comes from; after reading it is in `history`
   bool history_is_rotation = false;
+  std::optional<double> history_begins;        ///< [s] of the file that is the beginning of the run
   std::optional<Interpolation> interpolation;  ///< of the history; always set after reading where there is one
   double ease = 0;                             ///< [s] in which a motion swells to its full size
   std::optional<Vector3> direction;            ///< [-] plus or minus one of the axes x, y, z; always set after reading
@@ -174,6 +182,8 @@ void keys(V& v, Motion& m) {
     v.text("history_file", m.history_file,
            {.help = "the name of a csv file, beside the case, with the columns time_s and displacement_mm "
                     "(rotation_deg with rotation = true)"});
+    v.number("history_begins_at_s", m.history_begins,
+             {.help = "the time of the file that is the beginning of the run (0 unless given)", .unit = units::s});
     v.choice(
         "interpolation", m.interpolation,
         {.help = "straight lines, whose corners are jumps of velocity, or the cubic spline through the rows (smooth "

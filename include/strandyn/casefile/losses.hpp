@@ -48,6 +48,8 @@ struct Material {
 };
 /// [Pa] wires that are stiffer count as steel.
 inline constexpr double steel_from = 120e9;
+/// [1/K] of aluminium 1350 and of carbon steel.
+inline constexpr double expansion_of_aluminium = 23e-6, expansion_of_steel = 11.5e-6;
 
 template <class V>
 void keys(V& v, Material& m) {

@@ -13,10 +13,13 @@
 #include "strandyn/casefile/acceptance.hpp"
 #include "strandyn/casefile/analysis.hpp"
 #include "strandyn/casefile/choices.hpp"
+#include "strandyn/casefile/clamps.hpp"
+#include "strandyn/casefile/damper.hpp"
 #include "strandyn/casefile/loads.hpp"
 #include "strandyn/casefile/losses.hpp"
 #include "strandyn/casefile/section.hpp"
 #include "strandyn/casefile/source.hpp"
+#include "strandyn/casefile/wind.hpp"
 #include "strandyn/conductor/strand.hpp"
 
 namespace strandyn::casefile {
@@ -54,6 +57,15 @@ struct Conductor {
   conductor::Strand strand;  ///< all of the above, resolved
 };
 
+/// [[span.support]]: where a line of several spans is suspended.
+struct SuspensionKeys {
+  double at = 0;  ///< [m] from the left support
+  Suspension type = Suspension::pinned;
+  std::optional<double> tension;  ///< [N] of the span to its right; empty: that of the span to its left
+  double string_length = 0;       ///< [m] `string`
+  double string_mass = 0;         ///< [kg] `string`
+};
+
 struct Span {
   std::optional<double> length;             ///< [m] or nodes
   std::vector<Vector3> nodes;               ///< [m] corners of a polyline
@@ -68,6 +80,11 @@ struct Span {
   Dimension dimension = Dimension::planar;
   bool torsion = true;
   bool gravity = false;
+  std::optional<double> temperature;     ///< [degrees Celsius] at which the span is looked at; empty: as it was strung
+  double stringing_temperature = 15;     ///< [degrees Celsius] at which the tension was set, without ice
+  std::optional<double> expansion;       ///< [1/K] empty: that of the wires
+  std::vector<SuspensionKeys> supports;  ///< between the ends, from left to right
+  double ice = 0;                        ///< [kg/m]
   MassMatrix mass = MassMatrix::consistent;
   bool rotary_inertia = false;
   bool condense_axial = false;
@@ -142,10 +159,13 @@ struct Scene {
   std::vector<Load> loads;
   std::vector<Motion> motions;
   std::vector<Body> bodies;
+  std::vector<DamperKeys> dampers;
   std::optional<Initial> initial;
   Damping damping;
   std::optional<Air> air;
+  std::vector<WindKeys> winds;  ///< none or one
   std::optional<Material> material;
+  std::optional<ClampKeys> clamps;
   Static static_;
   Integrator integrator;
   Analysis analysis;
@@ -177,7 +197,14 @@ std::vector<double> section_tensions(const Scene& scene);
 /// Number of the first static-force load, whose point displacement control moves and slip maps look at.
 std::optional<std::size_t> first_static_force(const Scene& scene);
 
-/// [kg/m] of unstressed length: of the section, else of the conductor; empty where neither says.
+/// [kg/m] of unstressed length, ice and thermal strain in it: of the section, else of the conductor; empty where
+/// neither says.
 std::optional<double> mass_per_length(const Scene& scene);
+/// The same as it was strung.
+std::optional<double> strung_mass_per_length(const Scene& scene);
+
+/// [-] of the span since it was strung; 0 where the case gives no temperature. Of wires without a key of its own:
+/// sum EA a/sum EA with the EA of the layers along the strand, a = 23e-6/K (aluminium), 11.5e-6/K (steel).
+double thermal_strain(const Scene& scene);
 
 }  // namespace strandyn::casefile

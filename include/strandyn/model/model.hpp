@@ -16,6 +16,7 @@
 #include "strandyn/core/words.hpp"
 #include "strandyn/math/time_function.hpp"
 #include "strandyn/model/freedom.hpp"
+#include "strandyn/model/wind.hpp"
 #include "strandyn/section/law.hpp"
 #include "strandyn/section/material_damping.hpp"
 
@@ -96,6 +97,7 @@ struct Model {
   MassMatrix mass_matrix = MassMatrix::lumped;
   double drag = 0;  ///< [N s/m^2] force per length against the velocity of the centre line
   std::optional<Surroundings> surroundings = {};
+  std::optional<Wind> wind = {};
   section::MaterialBranches material = {};  ///< of all sections, beside the law
 
   std::size_t unknowns_per_node() const { return unknowns_of(freedom).size(); }
@@ -113,8 +115,9 @@ struct Model {
 
 /// A straight chain between two points, every element stretched by `strain` from its unstressed length.
 struct StraightSpan {
-  std::vector<double> positions;  ///< [m] of the nodes along the chain, from 0
-  double strain = 0;              ///< [-] so that the tension is EA strain; below 0 for a cable longer than its span
+  std::vector<double> positions;     ///< [m] of the nodes along the chain, from 0
+  double strain = 0;                 ///< [-] so that the tension is EA strain; below 0 for a cable longer than its span
+  std::vector<double> strains = {};  ///< [-] of each element, where they differ
   Eigen::Vector3d start = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector
 };

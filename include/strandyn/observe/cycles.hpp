@@ -18,6 +18,7 @@ struct Cycle {
   double end_time = 0;            ///< [s]
   double antinode_amplitude = 0;  ///< [m] half of the greatest distance between two positions of one place
   double external_work = 0;
+  double wind = 0;  ///< its work
   double kinetic = 0;
   double elastic = 0;  ///< above that of the initial state
   double friction = 0;
@@ -25,19 +26,21 @@ struct Cycle {
   double viscous = 0;
   system::ViscousLoss viscous_parts = {};  ///< the same by name
   double air = 0;
+  double attached = 0;  ///< by Stockbridge dampers
   double numerical = 0;
   double quadrature_error = 0;
   double internal_work = 0;
   std::size_t elements_slipping = 0;  ///< in which some friction was dissipated
 
   void archive(Archive& a) {
-    a(end_time, antinode_amplitude, external_work, kinetic, elastic, friction, material, viscous);
+    a(end_time, antinode_amplitude, external_work, wind, kinetic, elastic, friction, material, viscous);
     for (const system::ViscousTerm& term : system::viscous_terms) a(viscous_parts.*term.value);
-    a(air, numerical, quadrature_error, internal_work, elements_slipping);
+    a(air, attached, numerical, quadrature_error, internal_work, elements_slipping);
   }
   /// What counts as self-damping, where viscous damping stands for it; and all that physics takes.
   double self_damping() const { return friction + material + viscous; }
-  double dissipated() const { return self_damping() + air; }
+  double dissipated() const { return self_damping() + air + attached; }
+  double work_in() const { return external_work + wind; }
 };
 
 /// The columns of cycles.csv and the members of `cycles[]`.
@@ -48,6 +51,7 @@ void members(V& v, Cycle& c) {
           {.what = "half of peak to peak at the largest antinode away from the ends, in whatever direction it swings",
            .shown = "antinode amplitude"});
   v.value("external_work_J", c.external_work, {.what = "work of the loads and of moved supports"});
+  v.value("wind_work_J", c.wind, {.what = "work of the wind"});
   v.value("kinetic_J", c.kinetic, {.what = "kinetic energy at the end"});
   v.value("elastic_J", c.elastic, {.what = "elastic energy at the end, above that of the initial state"});
   v.value("friction_dissipation_J", c.friction, {.what = "friction between the wires", .shown = "friction per cycle"});
@@ -57,6 +61,7 @@ void members(V& v, Cycle& c) {
     v.value(term.name, c.viscous_parts.*term.value, {.what = term.what});
   }
   v.value("air_dissipation_J", c.air, {.what = "still air, which is no self-damping"});
+  v.value("damper_dissipation_J", c.attached, {.what = "friction and metal of Stockbridge dampers, no self-damping"});
   v.value("numerical_dissipation_J", c.numerical,
           {.what = "what the other terms leave over: the integrator's error", .shown = "numerical part per cycle"});
   v.value("quadrature_error_J", c.quadrature_error,

@@ -1,5 +1,6 @@
 #pragma once
-/// \file How far a bare conductor vibrates in the wind by the study's self-damping: wind energy balances.
+/// \file How far a conductor vibrates in the wind by the study's self-damping, bare or with dampers: wind energy
+/// balances, where a damper stands best, and what a year of wind takes from the conductor at its clamp.
 
 #include "strandyn/analysis/power_law.hpp"
 #include "strandyn/self_damping/quadrature.hpp"
@@ -17,6 +18,7 @@ struct BalanceRow {
   std::optional<double> amplitude_over_diameter{}, antinode_amplitude{}, antinode_velocity{}, power{};
   std::optional<bool> within_curve{}, from_lowest{};
   std::optional<double> bending_amplitude{}, bending_stress{};
+  std::optional<double> bare_amplitude{}, damper_power{}, damper_velocity{}, reflection{};
 };
 template <class V>
 void members(V& v, BalanceRow& b) {
@@ -36,6 +38,44 @@ void members(V& v, BalanceRow& b) {
   v.value("from_lowest", b.from_lowest, {.what = "whether the wind brings it there from the smallest amplitude"});
   v.value("bending_amplitude_m", b.bending_amplitude, {.what = "peak to peak at 89 mm from the clamp"});
   v.value("bending_stress_Pa", b.bending_stress, {.what = "amplitude in a surface wire, Poffenberger and Swart"});
+  v.value("bare_amplitude_over_diameter", b.bare_amplitude, {.what = "in balance without the dampers"});
+  v.value("damper_power_W", b.damper_power, {.what = "of all dampers"});
+  v.value("damper_velocity_m_per_s", b.damper_velocity, {.what = "peak, of the clamp that is shaken hardest"});
+  v.value("reflection", b.reflection,
+          {.what = "amplitude of the wave that comes back from the better damped end, over that which goes there"});
+}
+
+/// The first damper at one of the places that are tried.
+struct PlacementRow {
+  std::size_t number = 0;  ///< of its table
+  double tension = 0, at = 0, largest_amplitude = 0, largest_stress = 0, worst_frequency = 0, coverage = 0;
+  bool is_best = false;
+};
+template <class V>
+void members(V& v, PlacementRow& p) {
+  v.value("tension_N", p.tension, {.what = "the tension"});
+  v.value("at_m", p.at, {.what = "of the first damper, from its support"});
+  v.value("largest_amplitude_over_diameter", p.largest_amplitude, {.what = "over all frequencies"});
+  v.value("largest_bending_stress_Pa", p.largest_stress, {.what = "over all frequencies, at a clamp"});
+  v.value("worst_frequency_Hz", p.worst_frequency, {.what = "where that is"});
+  v.value(
+      "coverage", p.coverage,
+      {.what = "part of the frequencies at which the stress stays below EPRI's endurance limit of ACSR with several "
+               "layers of aluminium, 8.5 MPa"});
+  v.value("is_best", p.is_best, {.what = "whether its largest stress is the smallest of all places"});
+}
+
+/// What a year of wind does to the conductor at its clamp.
+struct DamageRow {
+  std::size_t number = 0;  ///< of its table
+  double tension = 0, damage = 0;
+  std::optional<double> years{};
+};
+template <class V>
+void members(V& v, DamageRow& d) {
+  v.value("tension_N", d.tension, {.what = "the tension"});
+  v.value("damage_per_year", d.damage, {.what = "Miner's sum over CIGRE's safe border line; 1 is a life"});
+  v.value("years", d.years, {.what = "until it is 1"});
 }
 
 struct BalanceInputs {
@@ -46,6 +86,8 @@ struct BalanceInputs {
 };
 struct Balances {
   std::vector<BalanceRow> rows;
+  std::vector<PlacementRow> placements;
+  std::vector<DamageRow> damages;
   std::vector<std::string> warnings;
 };
 Balances energy_balances(const BalanceInputs& inputs);

@@ -1,7 +1,8 @@
 #pragma once
 /// \file What a scene does: forces, tangents and energies of the chain, and the history of its sections.
 ///
-///     r(u, v, v'; t, drives) = M(u) v' + g(u, v) + f_int(u; history) + C v + F_air(v) - f_ext(t, u; drives) = 0
+///     r(u, v, v'; t, drives) = M(u) v' + g(u, v) + f_int(u; history) + C v + F_air(v) - F_wind(u, v, v')
+///                              - f_ext(t, u; drives) = 0
 /// with u the displacements and rotations of all nodes, supports included: a held unknown keeps its place in the
 /// vectors, its equation reads u = 0, or u = what a prescribed motion says. Unknowns without mass (rotations, unless
 /// they carry rotary inertia) are algebraic.
@@ -26,7 +27,9 @@
 #include "strandyn/model/model.hpp"
 #include "strandyn/section/material_damping.hpp"
 #include "strandyn/system/air_on_chain.hpp"
+#include "strandyn/system/attachment.hpp"
 #include "strandyn/system/eccentric_bodies.hpp"
+#include "strandyn/system/wind.hpp"
 
 namespace strandyn::system {
 
@@ -42,6 +45,8 @@ struct Accepted {
   double friction = 0;          ///< dissipated by friction in the step, >= 0
   double material = 0;          ///< dissipated by the metal in the step, >= 0
   double quadrature_error = 0;  ///< excess of both over the trapezoidal work balance of the step; of friction >= 0
+  double attached = 0;          ///< dissipated in the step by what hangs on the chain, >= 0
+  double attached_kinetic = 0;  ///< kinetic energy of that; its elastic energy is in `elastic`
 };
 
 /// Positions, and the velocities and accelerations that go with them; without these it is a state at rest.
@@ -134,6 +139,13 @@ class System {
   const air::AirForce& air() const { return air_; }
   const AirOnChain& air_on_chain() const { return air_on_chain_; }
 
+  /// From here on this wind acts on states in motion. In a static analysis there is none.
+  void set_wind(std::unique_ptr<WindOnChain> wind) { wind_ = std::move(wind); }
+  /// From here on this hangs on the chain.
+  void attach(std::unique_ptr<Attachment> attachment) { attached_.push_back(std::move(attachment)); }
+  /// f += what hangs on the chain asks of it, less what the wind gives: internal forces of a state in motion.
+  void add_attached_force(const State& state, double time, double* f) const;
+
   /// Starts the history: virgin sections, brought straight to the strains of `u`. The clock stands.
   void begin(const ConstVectorRef& u);
   /// From here on the material damping counts time: the last commit was at `time` [s].
@@ -179,6 +191,7 @@ class System {
   double elastic_energy(const AlignedVector& stored, const double* u) const;
   ViscousLoss viscous_power(const double* v) const;  ///< [W] v . C v
   double air_power(const double* v) const;           ///< [W] v . F_air, >= 0
+  double wind_power(const State& state) const;       ///< [W] v . F_wind of the last commit
   /// M a = f for the unknowns with mass, all others 0: consistent initial accelerations.
   void accelerations(const double* u, const double* v, const double* force, double* a) const;
   /// The mass matrix at u, held unknowns included.
@@ -187,6 +200,8 @@ class System {
   /// Accepts u as the end of a step: of a static one, or of one in time, which ends at `time`.
   Accepted commit(const double* u);
   Accepted commit(const double* u, double time);
+  /// The same, and of the wake behind a moving chain. [s]
+  Accepted commit(const State& state, double time);
 
   /// Exchanges rotation vectors that have grown long against those of the same rotation by the other way round, and
   /// their rates. True where there was one: whoever keeps older states must start anew.
@@ -236,6 +251,8 @@ class System {
   air::AirForce air_;
   section::MaterialMemory material_;
   std::optional<double> clock_;  // [s] time of the last commit
+  std::unique_ptr<WindOnChain> wind_;
+  std::vector<std::unique_ptr<Attachment>> attached_;
   section::History history_;
   section::StepEnergy energy_;
   AlignedVector stored_at_begin_;  // [J/m] in each section point

@@ -74,7 +74,8 @@ class TimeLoop {
 
   /// Commits the state at hand and tells the observers.
   void tell(void (observe::Observer::*what)(const system::System&, const observe::StepRecord&)) {
-    const observe::StepRecord record = record_of(system_.commit(stepper_->u().data(), stepper_->last().time));
+    const system::State state{.u = stepper_->u().data(), .v = stepper_->v().data(), .a = stepper_->a().data()};
+    const observe::StepRecord record = record_of(system_.commit(state, stepper_->last().time));
     const Stopwatch::Lap lap(system_.stopwatch(), Part::observers);
     find_forces(record);
     for (observe::Observer* observer : observers_) (observer->*what)(system_, record);

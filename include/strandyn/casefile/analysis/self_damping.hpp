@@ -7,8 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "strandyn/casefile/damper.hpp"
 #include "strandyn/casefile/declare.hpp"
 #include "strandyn/casefile/periodic.hpp"
+#include "strandyn/casefile/wind.hpp"
 #include "strandyn/core/words.hpp"
 
 namespace strandyn::casefile {
@@ -28,12 +30,6 @@ constexpr auto words_of(ModeShape) {
 enum class BenchStart { mode, rest };
 constexpr auto words_of(BenchStart) {
   return std::array{Named{BenchStart::mode, "mode"}, Named{BenchStart::rest, "rest"}};
-}
-
-enum class WindCurve { cigre, diana_falco, brika_laneville };
-constexpr auto words_of(WindCurve) {
-  return std::array{Named{WindCurve::cigre, "cigre"}, Named{WindCurve::diana_falco, "diana-falco"},
-                    Named{WindCurve::brika_laneville, "brika-laneville"}};
 }
 
 enum class BalancedBy { quadrature, foti_2018, fit, published };
@@ -117,6 +113,19 @@ void keys(V& v, QuadratureKeys& q) {
        .at_most = 1});
 }
 
+/// Places of a damper that are tried one after the other.
+struct PlaceScan {
+  double from = 0, to = 0;  ///< [m] from the support
+  int count = 20;
+};
+
+template <class V>
+void keys(V& v, PlaceScan& s) {
+  v.number("from", s.from, {.help = "the smallest distance from the support in metres", .above = 0, .required = true});
+  v.number("to", s.to, {.help = "the largest", .above = 0, .required = true});
+  v.number("count", s.count, {.help = "how many places", .at_least = 2, .at_most = 1000});
+}
+
 /// [[analysis.energy_balance]]
 struct EnergyBalanceKeys {
   WindCurve wind = WindCurve::cigre;
@@ -126,6 +135,10 @@ struct EnergyBalanceKeys {
   BalancedBy self_damping = BalancedBy::quadrature;
   std::string law;               ///< `published`: its name
   std::optional<double> factor;  ///< `published`: k for m, Hz, kN
+  std::optional<double> span;    ///< [m] between the clamps, with dampers
+  std::vector<DamperKeys> dampers;
+  std::optional<PlaceScan> damper_at;             ///< of the first damper
+  std::vector<std::array<double, 2>> wind_hours;  ///< [m/s], [h] a year
 };
 
 template <class V>
@@ -144,6 +157,12 @@ void keys(V& v, EnergyBalanceKeys& b) {
     v.number("factor", b.factor,
              {.help = "its factor k, for metres, hertz and kilonewtons (d/sqrt(m RTS) unless given)", .above = 0});
   });
+  v.number("span_m", b.span, {.help = "the length of the span that dampers protect", .unit = units::m, .above = 0});
+  v.tables("damper", b.dampers, {.help = "Stockbridge dampers on that span"});
+  v.table("damper_at_m", b.damper_at, {.help = "places at which the first damper is tried, one after the other"});
+  v.rows("wind_hours", b.wind_hours,
+         {{{.help = "speed", .unit = units::m_per_s, .above = 0}, {.help = "hours a year", .at_least = 0}}},
+         {.help = "how long the wind blows across the line at these speeds in a year, for the damage of that year"});
 }
 
 /// [analysis.bench]: the test bench of the method "transient".

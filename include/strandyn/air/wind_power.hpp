@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 
-namespace strandyn::analysis {
+namespace strandyn::air {
 
 /// A sine vibration of the free span.
 struct Vibration {
@@ -61,4 +61,4 @@ struct VortexShedding {
 double shedding_frequency(const VortexShedding& cylinder, double wind_speed);  ///< [Hz]
 double wind_speed(const VortexShedding& cylinder, double frequency);           ///< [m/s]
 
-}  // namespace strandyn::analysis
+}  // namespace strandyn::air

@@ -1,8 +1,8 @@
-#include "strandyn/analysis/wind_power.hpp"
+#include "strandyn/air/wind_power.hpp"
 
 #include <cmath>
 
-namespace strandyn::analysis {
+namespace strandyn::air {
 namespace {
 
 constexpr WindTableRow diana_falco_table[] = {{0.03, 0.23}, {0.06, 0.70}, {0.1, 1.8}, {0.2, 5.0}, {0.3, 9.0},
@@ -69,4 +69,4 @@ double wind_speed(const VortexShedding& cylinder, double frequency) {
   return frequency * cylinder.diameter / cylinder.strouhal;
 }
 
-}  // namespace strandyn::analysis
+}  // namespace strandyn::air

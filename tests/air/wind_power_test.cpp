@@ -1,4 +1,4 @@
-#include "strandyn/analysis/wind_power.hpp"
+#include "strandyn/air/wind_power.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 
 #include "support/check_close.hpp"
 
-using namespace strandyn::analysis;
+using namespace strandyn::air;
 using strandyn::test::check_close;
 
 namespace {

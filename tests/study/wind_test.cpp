@@ -1,0 +1,114 @@
+// Spans in the wind, with dampers, and what their clamps feel, from case files.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "study/scenes.hpp"
+#include "support/check_close.hpp"
+#include "support/run.hpp"
+
+using namespace strandyn;
+using std::numbers::pi;
+using test::check_close;
+using test::span_scene;
+
+namespace {
+
+const std::string locked_in =
+    "[[wind]]\nmodel = \"power-curve\"\nmode = 4\ncurve = \"diana-falco\"\n"
+    "[integrator]\nmethod = \"generalized-alpha\"\nsteps_per_cycle = 80\n"
+    "[analysis]\ntype = \"forced\"\ncycles = 60\n";
+const std::string damped_decay =
+    "[[damper]]\nat_m = 0.8\ncatalogue = \"z5\"\n"
+    "[integrator]\nmethod = \"generalized-alpha\"\nrho_inf = 1\nsteps_per_cycle = 200\n"
+    "[analysis]\ntype = \"decay\"\nmode = 4\nantinode_amplitude_mm = 3\ncycles = 10\n";
+const std::string clamps = "[clamps]\n";
+const std::string decay =
+    "[integrator]\nsteps_per_cycle = 100\n"
+    "[analysis]\ntype = \"decay\"\nmode = 4\nantinode_amplitude_mm = 3\ncycles = 3\n";
+
+}  // namespace
+
+TEST_CASE("wind: the ledger of a span in locked-in wind closes, and a small vibration grows at the rate of the curve") {
+  const auto s = test::run(span_scene(locked_in, {"section.law=stick"})).summary;
+  CHECK(s["wind"]["mode"] == 4);
+  CHECK(s["wind"]["model"] == "power-curve");
+  const double f = s["wind"]["frequency_Hz"], D = s["wind"]["diameter_m"];
+  check_close(s["wind"]["wind_speed_m_per_s"], f * D / 0.2, {.relative = 1e-12});
+  double kinetic = 0, elastic = 0;
+  bool first = true;
+  for (const auto& c : s["cycles"]) {
+    const double change = c["kinetic_J"].get<double>() - kinetic + c["elastic_J"].get<double>() - elastic;
+    if (!first)
+      check_close(c["wind_work_J"].get<double>() - change - c["numerical_dissipation_J"].get<double>(), 0,
+                  {.absolute = 1e-10});
+    kinetic = c["kinetic_J"];
+    elastic = c["elastic_J"];
+    first = false;
+    CHECK(c["wind_work_J"] > 0);
+    CHECK(c["external_work_J"] == 0);
+  }
+  // At the bottom of the curve the power goes with A^2: d(ln A)/dt = c/(2 m), c = f D^2 fnc(a)/(pi a)^2.
+  const double a = 0.01, fnc = 3.12858 * a + 208.972 * a * a;
+  const double rate = f * D * D * fnc / (pi * pi * a * a) / (2 * 1.981);
+  const auto& cycles = s["cycles"];
+  const double grown = std::log(cycles[9]["kinetic_J"].get<double>() + cycles[9]["elastic_J"].get<double>()) -
+                       std::log(cycles[1]["kinetic_J"].get<double>() + cycles[1]["elastic_J"].get<double>());
+  CHECK(rate > 0);
+  check_close(grown, 2 * rate * 8 / f, {.relative = 0.15});
+}
+
+TEST_CASE("wind: a speed locks in to the mode nearest to its shedding frequency") {
+  const auto by_mode = test::run(span_scene(locked_in, {"analysis.cycles=2"})).summary["wind"];
+  const double speed = by_mode["wind_speed_m_per_s"];
+  std::string text = locked_in;
+  text.replace(text.find("mode = 4"), 8, "speed_m_per_s = " + std::to_string(1.03 * speed));
+  const auto by_speed = test::run(span_scene(text, {"analysis.cycles=2"})).summary["wind"];
+  CHECK(by_speed["mode"] == 4);
+  check_close(by_speed["wind_speed_m_per_s"], 1.03 * speed, {.relative = 1e-5});
+}
+
+TEST_CASE(
+    "damper on a span: the ledger closes with the arms' energies, and the damper takes most of a small vibration") {
+  const auto s = test::run(span_scene(damped_decay)).summary;
+  double kinetic = 0, elastic = 0;
+  bool first = true;
+  for (const auto& c : s["cycles"]) {
+    const double lost = c["friction_dissipation_J"].get<double>() + c["damper_dissipation_J"].get<double>();
+    const double change = c["kinetic_J"].get<double>() - kinetic + c["elastic_J"].get<double>() - elastic;
+    if (!first) check_close(-change - lost - c["numerical_dissipation_J"].get<double>(), 0, {.absolute = 1e-9});
+    kinetic = c["kinetic_J"];
+    elastic = c["elastic_J"];
+    first = false;
+    CHECK(c["damper_dissipation_J"] > c["friction_dissipation_J"]);
+    CHECK(std::abs(c["numerical_dissipation_J"].get<double>()) < 0.01 * c["damper_dissipation_J"].get<double>());
+  }
+  CHECK(s["steady"]["dampers_W"] > 0);
+}
+
+TEST_CASE("damper on a span: half the step, the same loss") {
+  const auto lost = [](const char* steps) {
+    const auto s =
+        test::run(span_scene(damped_decay, {"section.law=stick", std::string("integrator.steps_per_cycle=") + steps}))
+            .summary;
+    double sum = 0;
+    for (const auto& c : s["cycles"]) sum += c["damper_dissipation_J"].get<double>();
+    return sum;
+  };
+  check_close(lost("100"), lost("200"), {.relative = 0.01});
+}
+
+TEST_CASE(
+    "clamps: while nothing slips the wire stress is E cos^2 of the strain of a plane section, and its own bending") {
+  // Curlew, outermost layer: 24 wires of 3.52 mm; amplitude so small that all wires stick.
+  const auto run = test::run(span_scene(clamps + decay, {"analysis.antinode_amplitude_mm=0.02"}));
+  const auto& row = run.summary["clamps"][0];
+  CHECK(row["end"] == "left");
+  CHECK(run.summary["clamps"].size() == 2);
+  CHECK(run.summary["clamps"][1]["end"] == "right");
+  check_close(row["bending_amplitude_m"], run.summary["clamps"][1]["bending_amplitude_m"], {.relative = 0.05});
+  CHECK(row["worst_wire"]["amplitude_Pa"] > row["worst_wire"]["axial_amplitude_Pa"]);
+  CHECK(row["poffenberger_swart_Pa"] > 0);
+  CHECK(row["cycles_endured"] > 1e9);
+}
