@@ -86,7 +86,7 @@ class Bench {
   }
 
   Stretch vibrate(const Drive& drive, double cycles, observe::CycleObserver& account,
-                  std::span<observe::Observer* const> instruments = {}) {
+                  std::span<observe::Observer* const> instruments) {
     CyclePhasors phasors(bench_, drive);
     std::vector<observe::Observer*> observers = {&account, &phasors};
     observers.insert(observers.end(), instruments.begin(), instruments.end());
@@ -108,9 +108,9 @@ class Bench {
             .driven = phasors.driven(),
             .stopped = summary.ending == solver::Ending::stopped};
   }
-  Stretch vibrate(const Drive& drive, double cycles) {
+  Stretch vibrate(const Drive& drive, double cycles, std::span<observe::Observer* const> instruments = {}) {
     observe::CycleObserver account(account_of(drive, 1));
-    return vibrate(drive, cycles, account);
+    return vibrate(drive, cycles, account, instruments);
   }
   observe::CycleOptions account_of(const Drive& drive, std::size_t kept) const {
     return {.period = 1 / drive.frequency, .loop_length = bench_.loop_length(), .kept = kept};
@@ -187,12 +187,17 @@ class Bench {
         control_.phase_error() * 180 / pi));
   }
 
+  std::vector<observe::Observer*> watch() const {
+    return hooks_.watch ? std::vector{hooks_.watch} : std::vector<observe::Observer*>{};
+  }
+
   void measure() {
     run_.cost.evaluations_until_steady = bench_.at_rest().system.effort().evaluations;
     const auto cycles = static_cast<std::size_t>(keys_.cycles);
     observe::CycleObserver account(account_of(drive_, cycles));
     SteadyPhasors phasors(bench_, drive_, account);
-    observe::Observer* const instruments[] = {&phasors};
+    std::vector<observe::Observer*> instruments = watch();
+    instruments.push_back(&phasors);
     const Stretch stretch = vibrate(drive_, static_cast<double>(cycles), account, instruments);
     run_.stopped = stretch.stopped;
     if (run_.stopped) return;
@@ -225,10 +230,10 @@ class Bench {
     Drive drive = drive_;
     for (const double part : control_.way_out(way_out_, std::min(most_above, cycles_above * decrement))) {
       drive.amplitude = part * drive_.amplitude;
-      run_.stopped = vibrate(drive, 1).stopped;
+      run_.stopped = vibrate(drive, 1, watch()).stopped;
       if (run_.stopped) return;
     }
-    const Stretch stretch = vibrate({.frequency = drive_.frequency}, keys_.decay_cycles);
+    const Stretch stretch = vibrate({.frequency = drive_.frequency}, keys_.decay_cycles, watch());
     run_.stopped = stretch.stopped;
     for (const std::complex<double>& q : stretch.modal) run_.decay.push_back(std::abs(q));
     for (const Cycle& cycle : stretch.cycles) run_.decay_losses.push_back(cycle.dissipated());

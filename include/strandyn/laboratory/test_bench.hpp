@@ -53,6 +53,8 @@ struct BenchOptions {
 struct BenchHooks {
   Stop stop = {};                                     ///< true: end early
   std::function<void(const std::string&)> tell = {};  ///< how far, in words
+  /// Sees every step from the first measured cycle on; it begins anew with each drive, at last with the decay.
+  observe::Observer* watch = nullptr;
 };
 
 /// Throws ComputationError where the vibration does not become steady, or an integration fails.
