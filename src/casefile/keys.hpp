@@ -147,7 +147,7 @@ void keys(V& v, Scene& s) {
       "accuracy", s.accuracy,
       {.help = "how near to the converged dissipation the program is to come with mesh, steps and points of its own "
                "choice: \"fast\" (10 %), \"balanced\" (2 %), \"reference\" (0.2 %), or a number (0.02); for decay, "
-               "forced, and self-damping by quadrature or periodic"});
+               "forced, sweep, and self-damping by quadrature, periodic or transient"});
   v.table("conductor", s.conductor, {.help = "the stranded conductor"});
   v.table("section", s.section, {.help = "how a section answers to strain"});
   v.table("span", s.span, {.help = "the span between its supports"});

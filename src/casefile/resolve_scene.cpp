@@ -302,14 +302,10 @@ void check_tradeoff(const Scene& scene) {
 
 void check_accuracy(const Scene& scene) {
   if (!scene.accuracy) return;
-  if (!scene.is<DecayAnalysis>() && !scene.is<ForcedAnalysis>() && !scene.is<SelfDampingAnalysis>()) {
+  if (!scene.is<DecayAnalysis>() && !scene.is<ForcedAnalysis>() && !scene.is<SweepAnalysis>() &&
+      !scene.is<SelfDampingAnalysis>()) {
     refuse(scene.source, "accuracy", fmt::format("is no key of analysis.type = \"{}\" yet", word_of(scene.analysis)),
-           "remove it: decay, forced and self-damping take it");
-  }
-  if (const auto* study = std::get_if<SelfDampingAnalysis>(&scene.analysis);
-      study && study->takes(DampingMethod::transient)) {
-    refuse(scene.source, "accuracy", "is not held yet by the method \"transient\" of a self-damping study",
-           "remove it, or take the methods quadrature, periodic and foti-2018");
+           "remove it: decay, forced, sweep and self-damping take it");
   }
   const std::optional<double> target = target_error(scene);
   if (!target || *target < least_target_error || *target > largest_target_error) {

@@ -54,10 +54,11 @@ class Bench {
         long_stretch_((analysis::cycles_that_show_steadiness + short_stretch_ - 1) / short_stretch_ * short_stretch_),
         way_out_(std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(bench.round_trip())))),
         trial_(bench.at_rest(), bench.shape(), bench.frequency(), hooks.stop),
+        exponent_(exponent()),
         control_({.modal_mass = bench.modal_mass(),
                   .coupling = bench.coupling(),
                   .moves = bench.moves(),
-                  .exponent = exponent()},
+                  .exponent = exponent_},
                  wanted_) {
     run_.cost.steps_per_cycle = steps_per_cycle();
   }
@@ -203,6 +204,7 @@ class Bench {
     if (run_.stopped) return;
     run_.steady = {.drive = drive_,
                    .tuned_at_shaker = control_.tuned_at_shaker(),
+                   .loss_exponent = exponent_,
                    .cycles = stretch.cycles,
                    .profile = account.profile(bench_.at_rest().system),
                    .force = phasors.force(),
@@ -249,6 +251,7 @@ class Bench {
   std::size_t short_stretch_, long_stretch_;
   std::size_t way_out_;  // [cycles] up, and as many down: whole round trips of a wave
   span::TrialCycles trial_;
+  double exponent_;
   Control control_;
   Drive drive_;
   solver::InitialMotion now_;

@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include "methods.hpp"
-#include "periodic_accuracy.hpp"
 #include "strandyn/analysis/methods.hpp"
+#include "strandyn/self_damping/periodic_accuracy.hpp"
 
 namespace strandyn::self_damping {
 
@@ -76,6 +76,14 @@ PointResult result_of(const ShakenSpan& shaken, const Point& point, const Resona
   return result;
 }
 
+PeriodicAsk ask_of(const Scene& scene, const Point& point, double target) {
+  return {.scene = build::scene_of_point(scene, point.ask()),
+          .keys = scene.as<casefile::SelfDampingAnalysis>().periodic,
+          .frequency = point.frequency,
+          .antinode_amplitude = point.antinode_amplitude,
+          .target = target};
+}
+
 }  // namespace
 
 PeriodicMethod::PeriodicMethod(const Scene& scene) : scene_(scene) {
@@ -86,12 +94,12 @@ PeriodicMethod::PeriodicMethod(const Scene& scene) : scene_(scene) {
 
 PointResult PeriodicMethod::to_target(const Point& point, double target, const Watch& watch) const {
   try {
-    const PeriodicToTarget reached = periodic_to_target(scene_, point, target, watch);
+    const PeriodicToTarget reached = periodic_to_target(ask_of(scene_, point, target), watch);
     PointResult result = reached.run.converged() ? result_of(*reached.run.shaken, point, reached.run.found)
                                                  : failed(reached.run.found.solution.failure, reached.run.found);
     result.effort = reached.effort;
     result.error = reached.error;
-    result.chosen = reached.chosen;
+    result.chosen = choice_of(scene_, reached.setting);
     return result;
   } catch (const Interrupted&) {
     return {.stopped = true};
@@ -119,7 +127,7 @@ PointResult PeriodicMethod::at(const Point& point, const Watch& watch) const {
 std::optional<PointChoice> PeriodicMethod::first_choice(const Point& point) const {
   const std::optional<double> target = casefile::target_error(scene_);
   if (!target) return std::nullopt;
-  return choice_of(scene_, first_periodic_setting(scene_, point, *target));
+  return choice_of(scene_, first_periodic_setting(ask_of(scene_, point, *target)));
 }
 
 /// Loops of all sections over the samples of a cycle, once for each coefficient of the harmonics and again in the

@@ -1,4 +1,4 @@
-#include "periodic_accuracy.hpp"
+#include "strandyn/self_damping/periodic_accuracy.hpp"
 
 #include <fmt/format.h>
 
@@ -40,11 +40,8 @@ struct Free {
 /// Runs of one point, each setting once.
 class Runs {
  public:
-  Runs(const Scene& scene, const Point& point, const Watch& watch)
-      : scene_(build::scene_of_point(scene, point.ask())),
-        point_(point),
-        watch_(watch),
-        slips_(build::slips_by_points(scene.section.law)) {}
+  Runs(const PeriodicAsk& ask, const PeriodicSetting& first, const Watch& watch)
+      : ask_(ask), first_(first), watch_(watch), slips_(build::slips_by_points(ask.scene.section.law)) {}
 
   PeriodicRun& run(const PeriodicSetting& setting);
   PointError error_of(const PeriodicSetting& setting, double mass);
@@ -70,8 +67,8 @@ class Runs {
     return a.converged() && b.converged() ? std::abs(a.power - b.power) : INFINITY;
   }
 
-  Scene scene_;
-  const Point& point_;
+  const PeriodicAsk& ask_;
+  PeriodicSetting first_;
   const Watch& watch_;
   bool slips_;
   std::map<PeriodicSetting, PeriodicRun> runs_;
@@ -98,48 +95,54 @@ PeriodicRun& Runs::run(const PeriodicSetting& setting) {
 }
 
 void Runs::solve(const PeriodicSetting& setting, PeriodicRun& run) const {
-  Scene scene = scene_;
-  scene.span->elements = setting.elements;
-  scene.section.points = setting.points;
-  build::BuiltSpan built = build::build_span(scene);
-  const build::Shaker shaker = build::find_shaker(scene, built);
-  run.shaken = std::make_unique<span::ShakenSpan>(
-      std::move(built), shaker, point_.frequency,
-      span::ResponseOptions{.harmonics = setting.harmonics, .samples = setting.samples, .stop = watch_.stop});
+  run.shaken = shaken_span_of(ask_, setting, watch_.stop);
   const PeriodicRun* start = nearest(setting);
-  run.found = start ? run.shaken->resonance(point_.antinode_amplitude, *start->shaken, start->found.solution.state)
-                    : run.shaken->resonance(point_.antinode_amplitude);
+  run.found = start ? run.shaken->resonance(ask_.antinode_amplitude, *start->shaken, start->found.solution.state)
+                    : run.shaken->resonance(ask_.antinode_amplitude);
   if (run.found.stopped) throw Interrupted("stopped before there was a result");
   if (!run.converged()) return;
   const solver::PeriodicSolution& solution = run.found.solution;
   run.power = span::losses_of(solution) * solution.state.frequency / run.shaken->span().built.length;
 }
 
+/// Each part by its own knob, the others as they were begun with: what one of them asks for raises no other run.
 PointError Runs::error_of(const PeriodicSetting& setting, double mass) {
   constexpr analysis::Order in_space{.least = 1.5, .highest = 4, .expected = 2};
   constexpr double by_harmonics_alone = 1.5, by_samples_alone = 1.5, by_points_alone = 1.5;
-  PeriodicSetting half = setting, quarter = setting;
-  half.elements = std::max(1, setting.elements / 2);
-  quarter.elements = std::max(1, setting.elements / 4);
-  PeriodicSetting fewer = half, sparser = half, other = half;
-  fewer.harmonics = other_harmonics(half.harmonics);
-  sparser.samples = std::max(half.samples / 4 * 2, fewest_samples(half.harmonics));
+  constexpr int few = 3;  // harmonics, of a difference of samples or points
+  PeriodicSetting fine = first_;
+  fine.elements = setting.elements;
+  PeriodicSetting half = fine, quarter = fine;
+  half.elements = std::max(1, fine.elements / 2);
+  quarter.elements = std::max(1, fine.elements / 4);
+  PeriodicSetting coarse = first_;
+  coarse.elements = std::max(1, first_.elements / 2);
+  if (!run(coarse).converged()) coarse.elements = half.elements;
+  PeriodicSetting many = coarse;
+  many.harmonics = setting.harmonics;
+  many.samples = std::max(coarse.samples, std::min(setting.samples, fewest_samples(many.harmonics)));
+  PeriodicSetting fewer = many;
+  fewer.harmonics = other_harmonics(many.harmonics);
+  PeriodicSetting quick = coarse;
+  quick.harmonics = std::min(coarse.harmonics, few);
+  PeriodicSetting dense = quick, sparse = quick, pointed = quick, other = quick;
+  dense.samples = setting.samples;
+  sparse.samples = std::max(setting.samples / 4 * 2, fewest_samples(quick.harmonics));
+  pointed.points = setting.points;
   other.points = build::finer_points(setting.points).value_or(setting.points / 2);
-  const PeriodicRun& quick = run(half);
-  const bool sampled = half.samples >= fewest_samples(fewer.harmonics);
-  const double harmonics = sampled ? by_harmonics_alone * apart(quick, run(fewer)) : INFINITY;
-  const double ratio = static_cast<double>(half.samples) / sparser.samples;
-  const double samples = ratio > 1 ? by_samples_alone * apart(quick, run(sparser)) / (ratio * ratio - 1) : INFINITY;
-  const double points = slips_ ? by_points_alone * apart(quick, run(other)) : 0;
-  const double further = apart(quick, run(quarter));
-  const double mesh = analysis::richardson(apart(run(setting), quick), further, in_space);
-  const PeriodicRun& best = run(setting);
-  const double size = std::max(std::abs(best.power), least_power(point_.frequency, point_.antinode_amplitude, mass));
+
+  const bool sampled = many.samples >= fewest_samples(fewer.harmonics);
+  const double harmonics = sampled ? by_harmonics_alone * apart(run(many), run(fewer)) : INFINITY;
+  const double ratio = static_cast<double>(dense.samples) / sparse.samples;
+  const double samples = ratio > 1 ? by_samples_alone * apart(run(dense), run(sparse)) / (ratio * ratio - 1) : INFINITY;
+  const double points = slips_ ? by_points_alone * apart(run(pointed), run(other)) : 0;
+  const double further = apart(run(half), run(quarter));
+  const double mesh = analysis::richardson(apart(run(fine), run(half)), further, in_space);
+  const double size = std::max(std::abs(run(fine).power), least_power(ask_.frequency, ask_.antinode_amplitude, mass));
   const auto part = [size](double apart) { return std::isfinite(apart) ? std::optional(apart / size) : std::nullopt; };
   PointError error{.mesh = part(mesh), .harmonics = part(harmonics), .samples = part(samples)};
   if (slips_) error.points = part(points);
   error.relative = part(mesh + harmonics + samples + points);
-  error.section_evaluations = effort_.evaluations - best.found.effort.evaluations;
   return error;
 }
 
@@ -172,7 +175,7 @@ bool refine(PeriodicSetting& setting, const PointError& error, double target, co
     if (!free.samples) more = std::min(more, setting.samples / 4 - 1);
     if (more <= setting.harmonics) return false;
     setting.harmonics = more;
-    if (free.samples) setting.samples = std::max(setting.samples, 2 * fewest_samples(more));
+    if (free.samples) setting.samples = std::max(setting.samples, fewest_samples(more));
   } else if (samples == largest) {
     setting.samples = std::min(4 * static_cast<int>(std::ceil(setting.samples * factor / 4)), most_samples);
   } else {
@@ -183,15 +186,28 @@ bool refine(PeriodicSetting& setting, const PointError& error, double target, co
 
 }  // namespace
 
-PeriodicSetting first_periodic_setting(const Scene& scene, const Point& point, double target) {
-  const Free free(scene);
-  const casefile::PeriodicKeys& keys = scene.as<casefile::SelfDampingAnalysis>().periodic;
-  Scene own = build::scene_of_point(scene, point.ask());
+std::unique_ptr<span::ShakenSpan> shaken_span_of(const PeriodicAsk& ask, const PeriodicSetting& setting,
+                                                 const Stop& stop) {
+  Scene scene = ask.scene;
+  scene.span->elements = setting.elements;
+  scene.section.points = setting.points;
+  build::BuiltSpan built = build::build_span(scene);
+  const build::Shaker shaker = build::find_shaker(scene, built);
+  return std::make_unique<span::ShakenSpan>(
+      std::move(built), shaker, ask.frequency,
+      span::ResponseOptions{.harmonics = setting.harmonics, .samples = setting.samples, .stop = stop});
+}
+
+PeriodicSetting first_periodic_setting(const PeriodicAsk& ask) {
+  const Free free(ask.scene);
+  const casefile::PeriodicKeys& keys = ask.keys;
+  const double target = ask.target;
+  Scene own = ask.scene;
   if (free.elements) own.span->elements_per_loop = 2.6 / std::pow(target, 0.14);
   PeriodicSetting setting{.elements = static_cast<int>(build::build_span(own).model.elements.size()),
                           .harmonics = keys.harmonics,
                           .samples = keys.samples,
-                          .points = scene.section.points};
+                          .points = own.section.points};
   if (free.elements) setting.elements = std::max(setting.elements, 8);
   if (free.harmonics) {
     setting.harmonics = target >= 0.05 ? 3 : target >= 0.005 ? 5 : 7;
@@ -215,19 +231,21 @@ PointChoice choice_of(const Scene& scene, const PeriodicSetting& setting) {
   return choice;
 }
 
-PeriodicToTarget periodic_to_target(const Scene& scene, const Point& point, double target, const Watch& watch) {
-  const Free free(scene);
-  const double mass = *casefile::mass_per_length(scene);
-  const PeriodicSetting first = first_periodic_setting(scene, point, target);
+PeriodicToTarget periodic_to_target(const PeriodicAsk& ask, const Watch& watch) {
+  const Free free(ask.scene);
+  const double mass = *casefile::mass_per_length(ask.scene);
+  const PeriodicSetting first = first_periodic_setting(ask);
   PeriodicSetting setting = first;
-  Runs runs(scene, point, watch);
+  Runs runs(ask, first, watch);
   PointError error;
   for (int round = 1;; ++round) {
     error = runs.error_of(setting, mass);
-    if (error.is_below(target) || round == most_rounds || !refine(setting, error, target, first, free)) break;
+    if (error.is_below(ask.target) || round == most_rounds || !refine(setting, error, ask.target, first, free)) break;
   }
+  PeriodicRun run = runs.take(setting);
   const section::Effort effort = runs.effort();
-  return {.run = runs.take(setting), .error = error, .chosen = choice_of(scene, setting), .effort = effort};
+  error.section_evaluations = effort.evaluations - run.found.effort.evaluations;
+  return {.run = std::move(run), .error = error, .setting = setting, .effort = effort};
 }
 
 }  // namespace strandyn::self_damping

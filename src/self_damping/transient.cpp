@@ -83,6 +83,7 @@ BenchReadings readings_of(const BenchSpan& bench, const BenchRun& run, const Rea
                     .fundamental_amplitude = all.fundamental_amplitude,
                     .shaker_at = bench.shaker_position(),
                     .tuned_at = run.steady.tuned_at_shaker ? "shaker" : "antinode",
+                    .loss_exponent = run.steady.loss_exponent,
                     .ledger = row_of(all.ledger),
                     .power = {.power = all.power.from_phasors,
                               .from_work = all.power.from_work,

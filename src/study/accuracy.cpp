@@ -40,6 +40,17 @@ std::vector<double> dissipation_of(const Scene& scene, const results::Value& sum
   return all;
 }
 
+/// A decay or a forced vibration.
+Lost run_analysis(const Scene& scene, const Hooks& hooks, Cost& cost) {
+  Outcome outcome;
+  prepare(scene)->run(hooks, outcome);
+  Lost lost{.interrupted = outcome.exit_code == ExitCode::interrupted};
+  if (!outcome.ended_early) lost.dissipation = dissipation_of(scene, outcome.summary);
+  lost.energy = casefile::number_at("cycles[max].kinetic_J", outcome.summary).value_or(0);
+  cost.add(outcome.cost);
+  return lost;
+}
+
 }  // namespace
 
 Scene with_setting(Scene scene, const Setting& setting) {
@@ -51,16 +62,20 @@ Scene with_setting(Scene scene, const Setting& setting) {
   return scene;
 }
 
-Stretch::Stretch(const Scene& scene, const Hooks& hooks)
-    : scene_(scene), hooks_(hooks), slips_(build::slips_by_points(scene.section.law)) {
+Stretch::Stretch(const Scene& scene, const Hooks& hooks, LossRun run)
+    : scene_(scene),
+      hooks_(hooks),
+      run_(run ? std::move(run) : run_analysis),
+      slips_(build::slips_by_points(scene.section.law)),
+      resonates_(!scene.is<casefile::DecayAnalysis>()) {
   if (auto* decay = std::get_if<casefile::DecayAnalysis>(&scene_.analysis)) {
     decay->cycles = cycles_to_run(decay->cycles);
   }
 }
 
-const Stretch::Result& Stretch::run(const Setting& setting) {
+const Lost& Stretch::run(const Setting& setting) {
   const auto [at, is_new] = results_.try_emplace(setting);
-  Result& result = at->second;
+  Lost& result = at->second;
   if (!is_new) return result;
   const Scene scene = with_setting(scene_, setting);
   const std::string words = fmt::format("error estimate: {} elements, {} steps a cycle, {} points", setting.elements,
@@ -69,12 +84,7 @@ const Stretch::Result& Stretch::run(const Setting& setting) {
                       if (hooks_.progress) hooks_.progress(0, words);
                     }};
   try {
-    Outcome outcome;
-    prepare(scene)->run(inner, outcome);
-    result.interrupted = outcome.exit_code == ExitCode::interrupted;
-    if (!outcome.ended_early) result.dissipation = dissipation_of(scene, outcome.summary);
-    result.energy = casefile::number_at("cycles[max].kinetic_J", outcome.summary).value_or(0);
-    cost_.add(outcome.cost);
+    result = run_(scene, inner, cost_);
   } catch (const Interrupted&) {
     result.interrupted = true;
   } catch (const ComputationError&) {  // too coarse to be integrated
@@ -84,7 +94,7 @@ const Stretch::Result& Stretch::run(const Setting& setting) {
 }
 
 /// [J] infinite where one of them has failed.
-double Stretch::apart(const Result& a, const Result& b) {
+double Stretch::apart(const Lost& a, const Lost& b) {
   if (a.dissipation.empty() || a.dissipation.size() != b.dissipation.size()) return INFINITY;
   double sum = 0, squares = 0;
   for (std::size_t i = 0; i < a.dissipation.size(); ++i) {
@@ -97,27 +107,26 @@ double Stretch::apart(const Result& a, const Result& b) {
 
 std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
   // Near a resonance a step four times as long detunes too much to judge a mesh by.
-  const bool resonates = scene_.is<casefile::ForcedAnalysis>();
   constexpr int fewest_steps = 40;
   const bool many_steps = setting.steps_per_cycle >= fewest_steps;
-  const int slow = many_steps && !resonates ? 4 : 2;
+  const int slow = many_steps && !resonates_ ? 4 : 2;
   constexpr analysis::Order in_time{.least = 2, .highest = 2, .expected = 2};
   constexpr analysis::Order in_space{.least = 1.5, .highest = 4, .expected = 2};
   constexpr double by_points_alone = 1.5;
-  const auto with = [&](int elements_over, int steps_over, int points) -> const Result& {
+  const auto with = [&](int elements_over, int steps_over, int points) -> const Lost& {
     return run({.elements = std::max(setting.elements / elements_over, 1),
                 .steps_per_cycle = std::max(setting.steps_per_cycle / steps_over, 4),
                 .points = points});
   };
   const int p = setting.points;
   const std::optional<int> finer = slips_ ? build::finer_points(p) : std::nullopt;
-  const std::array<const Result*, 3> by_time = {&with(2, 1, p), &with(2, 2, p), &with(2, many_steps ? 4 : 2, p)};
-  const std::array<const Result*, 3> by_mesh = {&with(1, slow, p), &with(2, slow, p), &with(4, slow, p)};
-  const std::array<const Result*, 2> by_points = {&with(4, slow, p), &with(4, slow, finer.value_or(p))};
+  const std::array<const Lost*, 3> by_time = {&with(2, 1, p), &with(2, 2, p), &with(2, many_steps ? 4 : 2, p)};
+  const std::array<const Lost*, 3> by_mesh = {&with(1, slow, p), &with(2, slow, p), &with(4, slow, p)};
+  const std::array<const Lost*, 2> by_points = {&with(4, slow, p), &with(4, slow, finer.value_or(p))};
   for (const auto& [at, result] : results_) {
     if (result.interrupted) return std::nullopt;
   }
-  const Result& best = *by_mesh[0];
+  const Lost& best = *by_mesh[0];
   double dissipation = 0;
   for (const double of_cycle : best.dissipation) dissipation += std::abs(of_cycle);
   const double size = std::max(dissipation, 1e-4 * best.energy);

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <compare>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -51,29 +52,36 @@ void members(V& v, ErrorEstimate& e) {
   v.value("section_evaluations", e.section_evaluations, {.what = "that the estimate took, among those of `cost`"});
 }
 
+/// What one setting gives.
+struct Lost {
+  bool interrupted = false;
+  std::vector<double> dissipation{};  ///< [J] of each cycle, or of a steady one; empty where the run failed
+  double energy = 0;                  ///< [J] the largest that moves
+};
+/// Runs a scene that a setting was put into, for what is no decay and no forced vibration; adds its work to the cost. A
+/// ComputationError or InputError thrown is a run that failed.
+using LossRun = std::function<Lost(const casefile::Scene& scene, const Hooks& hooks, Cost& cost)>;
+
 /// A stretch of a vibration, run with one setting after another.
 class Stretch {
  public:
-  /// `scene` asks for no accuracy. The first cycles of a decay, the whole of a forced vibration.
-  Stretch(const casefile::Scene& scene, const Hooks& hooks);
+  /// `scene` asks for no accuracy. The first cycles of a decay, the whole of a forced vibration; what `run` does, if it
+  /// is given: a steady vibration at resonance.
+  Stretch(const casefile::Scene& scene, const Hooks& hooks, LossRun run = {});
 
   /// Empty where a run was stopped; failed ones leave a part that is infinite.
   std::optional<ErrorEstimate> estimate(const Setting& setting);
   const Cost& cost() const { return cost_; }
 
  private:
-  struct Result {
-    bool interrupted = false;
-    std::vector<double> dissipation{};  ///< [J] of each cycle, or of a steady one; empty where the run failed
-    double energy = 0;                  ///< [J] the largest that moves
-  };
-  const Result& run(const Setting& setting);
-  static double apart(const Result& a, const Result& b);
+  const Lost& run(const Setting& setting);
+  static double apart(const Lost& a, const Lost& b);
 
   casefile::Scene scene_;
   const Hooks& hooks_;
-  bool slips_;
-  std::map<Setting, Result> results_;
+  LossRun run_;
+  bool slips_, resonates_;
+  std::map<Setting, Lost> results_;
   Cost cost_;
 };
 

@@ -18,6 +18,7 @@ void Cost::add(const Cost& part) {
 
 std::unique_ptr<Analysis> prepare(const casefile::Scene& scene) {
   // A study chooses for each tension and each point by itself.
+  if (scene.accuracy && scene.is<casefile::SweepAnalysis>()) return prepare_accurate_sweep(scene);
   if (scene.accuracy && !scene.is<casefile::SelfDampingAnalysis>()) return prepare_accurate(scene);
   refuse_without_room(scene);
   return std::ranges::find(entries, casefile::word_of(scene.analysis), &Entry::word)->prepare(scene);

@@ -23,6 +23,9 @@ Notes notes_of_frame, notes_of_section, notes_of_axial_torsion, notes_of_static,
 /// The analysis with a mesh, a step and points that meet the accuracy asked for, and an estimate of its error.
 Prepare prepare_accurate;
 Notes notes_of_accuracy;
+/// The same of a sweep.
+Prepare prepare_accurate_sweep;
+Notes notes_of_accurate_sweep;
 
 /// `program` of every summary: what has computed it.
 results::Value program_of_summaries();

@@ -28,6 +28,7 @@ std::string outputs_reference() {
       "## In every summary.json\n\n";
   text += table_of(notes_of_frame());
   text += "\n## Where `accuracy` is given\n\n" + table_of(notes_of_accuracy());
+  text += "\n## Where `accuracy` is given to a sweep\n\n" + table_of(notes_of_accurate_sweep());
   for (const Entry& entry : entries) {
     text += fmt::format("\n## `type = \"{}\"`\n\n", entry.word) + table_of(entry.notes());
   }

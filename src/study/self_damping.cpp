@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "accurate_bench.hpp"
 #include "entries.hpp"
 #include "march.hpp"
 #include "outlook.hpp"
@@ -263,19 +264,23 @@ class SelfDamping final : public Analysis, public Pieces {
     return PointLog({.folder = folder, .study = identity(), .resume = true, .read_only = true}, points_);
   }
   void make(DampingMethod word) {
-    if (!methods_.contains(word)) methods_[word] = self_damping::make_method(word, scene_);
+    if (methods_.contains(word)) return;
+    const bool by_bench = scene_.accuracy && word == DampingMethod::transient;
+    methods_[word] = by_bench ? bench_to_target(scene_) : self_damping::make_method(word, scene_);
   }
   void tell_accuracy(Outlook& outlook) const {
     const std::optional<double> target = casefile::target_error(scene_);
     if (!target) return;
-    AccuracyFacts facts{.target = *target,
-                        .chosen =
-                            "in the run: for each tension by quadrature, for each point by periodic, refined "
-                            "until the estimated error is below the target"};
+    AccuracyFacts facts{
+        .target = *target,
+        .chosen =
+            "in the run: for each tension by quadrature, for each point by periodic and transient, refined "
+            "until the estimated error is below the target"};
     for (const Point& point : points_) {
-      const bool by_table = point.method == DampingMethod::quadrature;
-      if (!by_table && point.method != DampingMethod::periodic) continue;
-      auto& begun = by_table ? facts.quadrature : facts.periodic;
+      if (point.method == DampingMethod::foti_2018) continue;
+      auto& begun = point.method == DampingMethod::quadrature ? facts.quadrature
+                    : point.method == DampingMethod::periodic ? facts.periodic
+                                                              : facts.transient;
       if (!begun) begun = methods_.at(point.method)->first_choice(point);
     }
     outlook.tell("accuracy", facts);

@@ -36,7 +36,7 @@ std::optional<std::string> warning_of(const StudyError& error, std::size_t point
 struct AccuracyFacts {
   double target = 0;
   std::string chosen;
-  std::optional<self_damping::PointChoice> quadrature{}, periodic{};
+  std::optional<self_damping::PointChoice> quadrature{}, periodic{}, transient{};
 };
 template <class V>
 void members(V& v, AccuracyFacts& f) {
@@ -44,6 +44,7 @@ void members(V& v, AccuracyFacts& f) {
   v.value("chosen", f.chosen, {.what = "when the knobs are chosen"});
   v.record("quadrature_begins_with", f.quadrature, {.what = "what a table begins with"});
   v.record("periodic_begins_with", f.periodic, {.what = "what the first periodic point begins with"});
+  v.record("transient_begins_with", f.transient, {.what = "what the first test bench begins with"});
 }
 
 }  // namespace strandyn::study

@@ -1,3 +1,5 @@
+#include "sweep.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -143,7 +145,7 @@ class Sweep final : public Analysis {
 
   void run(const Hooks& hooks, Outcome& outcome) override {
     const span::ShakenSpan shaken(
-        built_, shaker_, drive_frequency(),
+        built_, shaker_, drive_frequency(scene_, built_),
         {.harmonics = keys_.periodic.harmonics, .samples = keys_.periodic.samples, .stop = hooks.stop});
     SweepSummary summary{.mode = shaken.mode_number(), .linear_frequency = shaken.mode().frequency};
     (shaker_.moves ? summary.drive_motion : summary.drive_force) = shaker_.size;
@@ -163,17 +165,6 @@ class Sweep final : public Analysis {
   }
 
  private:
-  /// [Hz] that the drive names.
-  double drive_frequency() const {
-    const auto named = [&](const auto& drive) {
-      if (!drive.frequency_mode) return *drive.frequency;
-      const span::SpanAtRest span(built_);
-      return span::modes_across(span, *drive.frequency_mode).back().frequency;
-    };
-    const build::ShakerKey key = build::shaker_of(scene_);
-    return key.load ? named(scene_.loads[*key.load]) : named(scene_.motions[*key.motion]);
-  }
-
   void sweep(const span::ShakenSpan& shaken, const Hooks& hooks, const Stop& stop, SweepSummary& summary,
              Outcome& outcome) const {
     const double linear = shaken.mode().frequency;
@@ -284,6 +275,16 @@ class Sweep final : public Analysis {
 };
 
 }  // namespace
+
+double drive_frequency(const Scene& scene, const build::BuiltSpan& built) {
+  const auto named = [&](const auto& drive) {
+    if (!drive.frequency_mode) return *drive.frequency;
+    const span::SpanAtRest span(built);
+    return span::modes_across(span, *drive.frequency_mode).back().frequency;
+  };
+  const build::ShakerKey key = build::shaker_of(scene);
+  return key.load ? named(scene.loads[*key.load]) : named(scene.motions[*key.motion]);
+}
 
 std::vector<results::MemberNote> notes_of_sweep() {
   return results::ReferenceWriter::of<SweepSummary>();

@@ -18,6 +18,7 @@ namespace strandyn::laboratory {
 struct SteadyRun {
   Drive drive;
   bool tuned_at_shaker = true;
+  double loss_exponent = 0;  ///< [-] of the loss over the amplitude, about the wanted one, by trial cycles: 1 to 8
   std::vector<observe::Cycle> cycles;
   observe::Profile profile;  ///< over all of them
   std::complex<double> force, driven;

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <string>
 
 #include "strandyn/results/record.hpp"
 
@@ -23,7 +24,7 @@ inline double least_power(double frequency, double amplitude, double mass) {
 /// the sum is empty as well.
 struct PointError {
   std::optional<double> relative{};
-  std::optional<double> mesh{}, harmonics{}, samples{}, steps{}, table{}, points{};
+  std::optional<double> mesh{}, harmonics{}, samples{}, steps{}, table{}, time{}, points{}, amplitude{};
   std::uint64_t section_evaluations = 0;
 
   bool is_below(double target) const { return relative && *relative <= target; }
@@ -38,7 +39,9 @@ void members(V& v, PointError& e) {
   v.value("samples", e.samples, {.what = "by the samples of a cycle"});
   v.value("steps", e.steps, {.what = "by the steps in which a section is bent"});
   v.value("table", e.table, {.what = "by the amplitudes at which the loss of a section is tabulated"});
+  v.value("time", e.time, {.what = "by the steps of the integration"});
   v.value("points", e.points, {.what = "by the points of a section; absent where no wires slip"});
+  v.value("amplitude", e.amplitude, {.what = "by how near a test bench came to the amplitude"});
   v.value("section_evaluations", e.section_evaluations, {.what = "that the estimate took, among those of `cost`"});
 }
 
@@ -47,6 +50,9 @@ struct PointChoice {
   std::optional<int> elements{}, harmonics{}, samples{};
   std::optional<int> steps{}, knots_per_decade{};
   std::optional<double> tolerance{};
+  std::optional<std::string> method{};
+  std::optional<int> steps_per_cycle{};
+  std::optional<double> amplitude_tolerance{};
   std::optional<int> points{};
 };
 template <class V>
@@ -57,6 +63,9 @@ void members(V& v, PointChoice& c) {
   v.value("steps", c.steps, {.what = "analysis.quadrature.steps"});
   v.value("knots_per_decade", c.knots_per_decade, {.what = "analysis.quadrature.knots_per_decade"});
   v.value("tolerance", c.tolerance, {.what = "analysis.quadrature.tolerance"});
+  v.value("method", c.method, {.what = "integrator.method"});
+  v.value("steps_per_cycle", c.steps_per_cycle, {.what = "integrator.steps_per_cycle"});
+  v.value("amplitude_tolerance", c.amplitude_tolerance, {.what = "analysis.bench.amplitude_tolerance"});
   v.value("points", c.points, {.what = "section.points"});
 }
 

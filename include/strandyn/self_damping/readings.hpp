@@ -151,6 +151,7 @@ struct BenchReadings {
   std::optional<double> shaker_amplitude{}, shaker_force{};
   double shaker_at = 0;
   std::string tuned_at;
+  double loss_exponent = 0;  ///< [-]
   LedgerRow ledger;
   PowerRow power;
   std::optional<IswrRow> iswr{};
@@ -171,6 +172,7 @@ void members(V& v, BenchReadings& b) {
   v.value("shaker_force_N", b.shaker_force, {.what = "amplitude of the shaker's force"});
   v.value("shaker_at_m", b.shaker_at, {.what = "from the left support"});
   v.value("tuned_at", b.tuned_at, {.what = "shaker or antinode: where resonance was looked for"});
+  v.value("loss_exponent", b.loss_exponent, {.what = "of the loss over the amplitude, by trial cycles of the mode"});
   v.record("ledger", b.ledger, {.what = "the energy ledger"});
   v.record("power", b.power, {.what = "the power method"});
   v.record("iswr", b.iswr, {.what = "inverse standing wave ratio"});
