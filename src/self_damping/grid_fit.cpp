@@ -124,7 +124,8 @@ std::vector<LocalExponents> local_exponents(const std::vector<SelfDampingPoint>&
     return std::log(of(points[between.second].at) / of(points[between.first].at));
   };
   const auto of_power = [&](const std::pair<std::size_t, std::size_t>& between) {
-    return std::log(points[between.second].power / points[between.first].power);
+    // Not of the ratio: just above first slip a loss may be so small that the ratio overflows.
+    return std::log(points[between.second].power) - std::log(points[between.first].power);
   };
   const auto A = places(points, amplitude), f = places(points, frequency), T = places(points, tension);
   const auto along_A = neighbours(f, T, A), along_T = neighbours(f, A, T);

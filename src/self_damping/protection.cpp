@@ -5,7 +5,7 @@
 
 #include "strandyn/build/dampers.hpp"
 #include "strandyn/build/section_law.hpp"
-#include "strandyn/damper/reduced_arm.hpp"
+#include "strandyn/damper/clamp_stiffness.hpp"
 
 namespace strandyn::self_damping {
 
@@ -19,18 +19,25 @@ Protection::Protection(const casefile::Scene& scene, const casefile::EnergyBalan
   if (first_at && !dampers_.empty()) dampers_.front().at = *first_at;
 }
 
-std::complex<double> Protection::impedance(std::size_t damper, double frequency) const {
+const analysis::PointStiffness& Protection::stiffness(std::size_t damper, double frequency) const {
   const auto [at, is_new] = found_[damper].try_emplace(frequency);
   if (!is_new) return at->second;
   const casefile::DamperKeys& keys = dampers_[damper];
-  const damper::Messenger messenger = build::messenger_of(keys);
-  const damper::BendingLoops loops(*messenger.law, {.per_decade = 2, .samples = 16, .cycles = 1});
-  std::complex<double> Z(0, 2 * std::numbers::pi * frequency * *keys.clamp_mass);
+  const double omega = 2 * std::numbers::pi * frequency;
+  analysis::PointStiffness& sum = at->second;
+  sum.force = -omega * omega * *keys.clamp_mass;
   for (const damper::HangingArm& hanging : build::arms_of(keys)) {
-    damper::ReducedArm arm(hanging.arm, messenger, loops);
-    Z += arm.answer({.frequency = frequency, .velocity = 0.1}).impedance();
+    const Eigen::Matrix2cd S = damper::clamp_stiffness(hanging.arm,
+                                                       {.EI = keys.messenger->bending_stiffness,
+                                                        .mass_per_length = keys.messenger->mass_per_length,
+                                                        .loss_factor = keys.messenger->loss_factor},
+                                                       omega);
+    const double hand = hanging.side == damper::Side::right ? 1 : -1;
+    sum.force += S(0, 0);
+    sum.coupling += hand * S(0, 1);
+    sum.moment += S(1, 1);
   }
-  return at->second = Z;
+  return sum;
 }
 
 Protection::Taken Protection::at(const air::Vibration& vibration, double tension) const {
@@ -39,7 +46,7 @@ Protection::Taken Protection::at(const air::Vibration& vibration, double tension
     const double distance = std::min(dampers_[i].at, length_ - dampers_[i].at);
     const analysis::EndMotion motion =
         analysis::motion_of({.tension = tension, .mass_per_length = mass_per_length_, .EI = EI_, .distance = distance},
-                            impedance(i, vibration.frequency), vibration.frequency, vibration.antinode_amplitude);
+                            stiffness(i, vibration.frequency), vibration.frequency, vibration.antinode_amplitude);
     taken.power += motion.power;
     taken.damper_velocity = std::max(taken.damper_velocity, motion.damper_velocity);
     taken.largest_end_amplitude = std::max(taken.largest_end_amplitude, motion.end_amplitude);

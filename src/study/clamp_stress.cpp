@@ -6,7 +6,9 @@
 #include <numbers>
 
 #include "strandyn/analysis/bending_amplitude.hpp"
+#include "strandyn/conductor/contact.hpp"
 #include "strandyn/fatigue/endurance.hpp"
+#include "strandyn/fatigue/recorder.hpp"
 
 namespace strandyn::study {
 
@@ -79,7 +81,11 @@ class ClampObserver::Clamp {
   }
 
   /// Deflection at the distance where the bending amplitude is read: cubic in its element.
-  void read_deflection(const observe::StepRecord& record) { now_.deflection.widen(deflection(record.u.data())); }
+  void read_deflection(const observe::StepRecord& record) {
+    const double y = deflection(record.u.data());
+    now_.deflection.widen(y);
+    recorder_.add(record.time, y);
+  }
 
   void look_at_wires(const system::System& system) {
     if (!has_wires_) return;
@@ -95,9 +101,15 @@ class ClampObserver::Clamp {
       const double chi3 = is_spatial_ ? strains[Component::bending3][p.point] : 0;
       const section::WireState state = system.model().law->wires(system.history(), strains, p.point);
       theta_ = state.theta;
+      const double eps = strains[Component::axial][p.point];
+      const double twist = is_spatial_ ? strains[Component::torsion][p.point] : 0;
+      const std::vector<double> axial = conductor::axial_wire_forces(strand, eps, twist);
+      // The forces are sums of their gradient at points around the turn, by the trapezoidal rule: their first harmonic,
+      // all that a sticking layer has and all that makes a moment, is short by this factor.
+      const double half = pi / static_cast<double>(theta_.size());
+      const double whole = std::tan(half) / half;
       const conductor::Layer& core = strand.layers.front();
-      widen(next(), core.young * strains[Component::axial][p.point],
-            core.young * core.diameter / 2 * std::hypot(chi2, chi3));
+      widen(next(), core.young * eps, core.young * core.diameter / 2 * std::hypot(chi2, chi3));
       for (std::size_t j = 0; j < state.layers.size(); ++j) {
         const conductor::Layer& layer = strand.layers[j + 1];
         const double c = std::cos(layer.lay_angle);
@@ -105,7 +117,8 @@ class ClampObserver::Clamp {
           const double radial = chi2 * std::cos(theta_[i]) + chi3 * std::sin(theta_[i]);
           const double around = chi3 * std::cos(theta_[i]) - chi2 * std::sin(theta_[i]);
           const double own = layer.young * layer.diameter / 2 * c * std::hypot(radial, c * around);
-          widen(next(), state.layers[j].force[i] / layer.wire_area, std::copysign(own, -around));
+          const double force = axial[j + 1] + whole * (state.layers[j].force[i] - axial[j + 1]);
+          widen(next(), force / layer.wire_area, std::copysign(own, -around));
           now_.contact_load = std::max(now_.contact_load, state.layers[j].inner_load[i]);
         }
       }
@@ -117,7 +130,7 @@ class ClampObserver::Clamp {
     now_ = {};
   }
 
-  ClampRow row(double frequency, double antinode_amplitude) const {
+  ClampRow row(double frequency, std::optional<double> antinode_amplitude) const {
     const conductor::Strand& strand = scene_->conductor->strand;
     const conductor::Layer& surface = strand.layers.back();
     const build::SectionNumbers& numbers = span_->built.numbers;
@@ -125,8 +138,10 @@ class ClampObserver::Clamp {
     row.poffenberger_swart = analysis::bending_stress(
         {.tension = span_->built.tension, .EI_min = numbers.EI_min, .distance = keys().distance},
         {.diameter = surface.diameter, .young = surface.young}, row.bending_amplitude);
-    row.by_velocity = pi * surface.young * surface.diameter * frequency * antinode_amplitude *
-                      std::sqrt(*casefile::mass_per_length(*scene_) / numbers.EI_min);
+    if (antinode_amplitude) {
+      row.by_velocity = pi * surface.young * surface.diameter * frequency * *antinode_amplitude *
+                        std::sqrt(*casefile::mass_per_length(*scene_) / numbers.EI_min);
+    }
     if (row.poffenberger_swart > 0) {
       row.cycles_endured = fatigue::cycles_endured(aluminium_layers(strand), row.poffenberger_swart);
     }
@@ -153,7 +168,17 @@ class ClampObserver::Clamp {
     });
   }
 
+  /// As a recorder there would write it.
+  results::NamedTable recorder_table() const {
+    results::Table table({"bending_amplitude_um", "frequency_Hz", "cycles"});
+    for (const fatigue::RecordedCycles& row : recorder_.matrix()) {
+      table.append(std::array{1e6 * row.bending_amplitude, row.frequency, row.cycles});
+    }
+    return {.file = is_right_ ? "recorder_right.csv" : "recorder_left.csv", .table = std::move(table)};
+  }
+
   void archive(Archive& a) {
+    recorder_.archive(a);
     for (Cycle* cycle : {&now_, &last_}) {
       std::size_t wires = cycle->wires.size();
       a(wires);
@@ -240,6 +265,7 @@ class ClampObserver::Clamp {
   std::vector<Place> points_;
   std::vector<double> theta_;  // [rad]
   Cycle now_, last_;
+  fatigue::Recorder recorder_;
 };
 
 ClampObserver::ClampObserver(const Scene& scene, const span::SpanAtRest& span, double frequency)
@@ -277,7 +303,7 @@ void ClampObserver::archive(Archive& a) {
   for (Clamp& clamp : clamps_) clamp.archive(a);
 }
 
-void ClampObserver::add_to(double antinode_amplitude, Outcome& outcome) const {
+void ClampObserver::add_to(std::optional<double> antinode_amplitude, Outcome& outcome) const {
   if (cycles_ == 0) return;
   ClampSummary summary;
   results::Table map(
@@ -285,6 +311,7 @@ void ClampObserver::add_to(double antinode_amplitude, Outcome& outcome) const {
   for (const Clamp& clamp : clamps_) {
     summary.clamps.push_back(clamp.row(frequency_, antinode_amplitude));
     clamp.add_rows(map);
+    outcome.tables.push_back(clamp.recorder_table());
   }
   outcome.tell(summary);
   if (map.rows() == 0) {

@@ -40,7 +40,8 @@ void members(V& v, WorstWire& w) {
 /// One entry of `clamps` of summary.json.
 struct ClampRow {
   std::string end;
-  double bending_amplitude = 0, poffenberger_swart = 0, by_velocity = 0;
+  double bending_amplitude = 0, poffenberger_swart = 0;
+  std::optional<double> by_velocity{};
   std::optional<double> cycles_endured{};
   std::optional<WorstWire> worst{};
   std::optional<double> contact_load{};
@@ -71,8 +72,9 @@ class ClampObserver final : public observe::Observer {
   void step(const system::System& system, const observe::StepRecord& record) override;
   void archive(Archive& a) override;
 
-  /// Of the last whole cycle, which had this antinode amplitude [m]; nothing before one has ended.
-  void add_to(double antinode_amplitude, Outcome& outcome) const;
+  /// Of the last whole cycle, which had this antinode amplitude [m] if it is known, and what a recorder would have
+  /// counted in all of them; nothing before one has ended.
+  void add_to(std::optional<double> antinode_amplitude, Outcome& outcome) const;
   static std::vector<results::MemberNote> notes();
 
  private:

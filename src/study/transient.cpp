@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cautions.hpp"
+#include "clamp_stress.hpp"
 #include "entries.hpp"
 #include "outlook.hpp"
 #include "plan.hpp"
@@ -264,6 +265,7 @@ class Transient final : public Analysis {
              "leave the key out");
     }
     check_plan(scene, built_, ask_);
+    check_clamps(scene);
     if (scene.as<casefile::TransientAnalysis>().start == casefile::Start::unloaded) {
       for (std::size_t i = 0; i < built_.model.motions.size(); ++i) {
         if (built_.model.motions[i].at(0, {}) == 0) continue;
@@ -305,7 +307,9 @@ class Transient final : public Analysis {
     observe::MomentumObserver momentum;
     EnergyHistory energy;
     ProgressReport progress(duration, hooks);
-    observe::Observer* const observers[] = {&probes, &momentum, &energy, &progress};
+    std::vector<observe::Observer*> observers = {&probes, &momentum, &energy, &progress};
+    std::optional<ClampObserver> clamps;
+    if (scene_.clamps && plan.frequency > 0) observers.push_back(&clamps.emplace(scene_, span, plan.frequency));
     solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
     options.stop = hooks.stop;
     const solver::IntegratorSummary run =
@@ -318,6 +322,7 @@ class Transient final : public Analysis {
     summary.energy = energy.at_end();
     outcome.tell(summary);
     add_histories(probes, outcome);
+    if (clamps) clamps->add_to({}, outcome);
     outcome.tables.push_back({.file = "energies.csv", .table = results::table_of(energy.rows())});
     std::vector<std::string> drawn = {"kinetic_J", "elastic_J", "external_work_J"};
     if (!scene_.winds.empty()) drawn.emplace_back("wind_work_J");
@@ -358,7 +363,9 @@ class Transient final : public Analysis {
 }  // namespace
 
 std::vector<results::MemberNote> notes_of_transient() {
-  return results::ReferenceWriter::of<TransientSummary>();
+  std::vector<results::MemberNote> notes = results::ReferenceWriter::of<TransientSummary>();
+  std::ranges::move(ClampObserver::notes(), std::back_inserter(notes));
+  return notes;
 }
 
 std::unique_ptr<Analysis> prepare_transient(const Scene& scene) {

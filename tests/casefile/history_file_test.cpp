@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <fstream>
 
 #include "results/scratch_folder.hpp"
@@ -94,4 +95,29 @@ TEST_CASE("a history file of 160000 rows is read in less than a second or two") 
   const auto begin = std::chrono::steady_clock::now();
   CHECK(read(folder, load + "history_file = \"record.csv\"\n").loads[0].history.size() == 160000);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));  // what a quadratic reader is far beyond
+}
+
+TEST_CASE(
+    "a record with a clock of its own, uneven steps and a gap is the signal that was sampled, and says what it is") {
+  const ScratchFolder folder;
+  const auto signal = [](double t) { return 20 * std::sin(2 * 3.14159265358979 * 5 * t); };  // [N] at 5 Hz
+  std::string text = "time_s,force_N\n";
+  double t = 0;
+  for (int i = 0; t < 2; ++i) {
+    text += fmt::format("{},{}\n", 36000 + t, signal(t));
+    t += 0.004 + 0.002 * (i % 3) / 2;  // 4, 5 and 6 ms
+    if (i == 150) t += 0.026;          // a gap
+  }
+  write(folder, text);
+  const casefile::Scene scene =
+      read(folder, load + "history_file = \"record.csv\"\ninterpolation = \"smooth\"\nhistory_begins_at_s = 36000\n");
+  const math::TimeFunction history = scene.loads[0].history_function();
+  for (double at = 0.05; at < 1.9; at += 0.0137) {
+    test::check_close(math::evaluate(history, at), signal(at), {.absolute = 0.05});
+  }
+  REQUIRE(scene.notes.size() == 1);
+  CHECK(scene.notes[0].find("1 gap in the rows") != std::string::npos);
+  const casefile::Scene late = read(folder, load + "history_file = \"record.csv\"\n");
+  REQUIRE(late.notes.size() == 2);
+  CHECK(late.notes[1].find("begins at 36000 s") != std::string::npos);
 }

@@ -8,6 +8,7 @@
 
 #include "damper/dampers.hpp"
 #include "strandyn/damper/arm_chain.hpp"
+#include "strandyn/damper/clamp_stiffness.hpp"
 #include "strandyn/system/system.hpp"
 #include "support/check_close.hpp"
 
@@ -123,4 +124,41 @@ TEST_CASE("hanging damper: a clamp that moves as a rigid body turns and shifts t
   }
   CHECK(lost < 1e-12);
   check_close(kinetic, weight * 0.09 / 2, {.relative = 1e-9});
+}
+
+TEST_CASE("hanging damper: a clamp that moves and turns feels the dynamic stiffness of both arms") {
+  const auto& both = test::stockbridges()[0];
+  const damper::ElasticMessenger elastic{.EI = both.EI, .mass_per_length = both.mass_per_length, .loss_factor = 0.1334};
+  const Messenger messenger = test::elastic_messenger(elastic.EI, elastic.mass_per_length, elastic.loss_factor);
+  const model::Model span = clamp_only();
+  for (const double frequency : {15.0, 27.0}) {
+    const double w = 2 * pi * frequency;
+    const auto hung = damper::make_hanging_damper(
+        span, {{.arm = both.arms[0], .side = Side::left}, {.arm = both.arms[1], .side = Side::right}}, messenger,
+        {.node = 0, .elements = 6, .frequency = frequency});
+    const Eigen::Vector2cd motion(1e-3, Complex(-2e-3, 3e-3));  // [m], [rad]
+    constexpr int steps = 400, cycles = 120;                    // the beginning dies out at the arms' own frequencies
+    Eigen::Vector2cd force = Eigen::Vector2cd::Zero();
+    for (int i = 0; i <= cycles * steps; ++i) {
+      const double t = i / (frequency * steps);
+      const Eigen::Vector2cd now = motion * std::polar(1.0, w * t);
+      const Eigen::Vector2cd rate = Complex(0, w) * now, acceleration = -w * w * now;
+      const double u[] = {0, now(0).real(), now(1).real()}, v[] = {0, rate(0).real(), rate(1).real()},
+                   a[] = {0, acceleration(0).real(), acceleration(1).real()};
+      const system::State state{.u = u, .v = v, .a = a};
+      double f[3] = {};
+      hung->add_force(state, t, f);
+      hung->commit(state, t);
+      if (i > (cycles - 1) * steps) force += Eigen::Vector2cd(f[1], f[2]) * std::polar(2.0 / steps, -w * t);
+    }
+    const Eigen::Matrix2cd left = damper::clamp_stiffness(both.arms[0], elastic, w);
+    Eigen::Matrix2cd S = damper::clamp_stiffness(both.arms[1], elastic, w);
+    S(0, 0) += left(0, 0);
+    S(0, 1) -= left(0, 1);
+    S(1, 0) -= left(1, 0);
+    S(1, 1) += left(1, 1);
+    const Eigen::Vector2cd expected = S * motion;
+    CHECK(std::abs(force(0) - expected(0)) < 0.01 * std::abs(expected(0)));
+    CHECK(std::abs(force(1) - expected(1)) < 0.01 * std::abs(expected(1)));
+  }
 }

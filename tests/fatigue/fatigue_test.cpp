@@ -6,6 +6,7 @@
 
 #include "strandyn/fatigue/endurance.hpp"
 #include "strandyn/fatigue/rainflow.hpp"
+#include "strandyn/fatigue/recorder.hpp"
 #include "support/check_close.hpp"
 
 using namespace strandyn::fatigue;
@@ -70,4 +71,41 @@ TEST_CASE("endurance: Miner's sum of halves of lives is one") {
   check_close(damage(AluminiumLayers::several, spectrum), 1.0, {.relative = 1e-12});
   CHECK(endurance_limits().size() == 3);
   for (const EnduranceLimit& limit : endurance_limits()) CHECK(limit.stress < 30e6);
+}
+
+TEST_CASE("recorder: a sine fills one bin, two of them after one another two") {
+  Recorder recorder;
+  const auto swing = [&](double from, double until, double frequency, double peak_to_peak) {
+    for (double t = from; t < until; t += 1 / (frequency * 97)) {
+      recorder.add(t, 3e-3 + peak_to_peak / 2 * std::sin(2 * M_PI * frequency * (t - from)));
+    }
+  };
+  swing(0, 10, 20.4, 300e-6);
+  swing(10, 20, 33.3, 120e-6);
+  const std::vector<RecordedCycles> rows = recorder.matrix();
+  double large = 0, small = 0, all = 0;
+  for (const RecordedCycles& row : rows) {
+    all += row.cycles;
+    if (row.frequency == 20.5) large += row.cycles, check_close(row.bending_amplitude, 300e-6, {.relative = 1e-9});
+    if (row.frequency == 33.5) small += row.cycles, check_close(row.bending_amplitude, 120e-6, {.relative = 1e-9});
+  }
+  check_close(large, 203, {.absolute = 1.5});
+  check_close(small, 332, {.absolute = 1.5});
+  CHECK(all - large - small <= 2);  // where one goes over into the other
+}
+
+TEST_CASE("recorder: what it counts of an even vibration rainflow counts, too") {
+  Recorder recorder;
+  std::vector<double> history;
+  for (int i = 0; i <= 40 * 100; ++i) {
+    const double t = i / (40.0 * 25);
+    history.push_back(200e-6 * std::sin(2 * M_PI * 25 * t));
+    recorder.add(t, history.back());
+  }
+  double counted = 0, flown = 0;
+  for (const RecordedCycles& row : recorder.matrix()) counted += row.cycles;
+  for (const CountedCycle& cycle : rainflow(history)) {
+    if (cycle.range > 390e-6) flown += cycle.count;
+  }
+  check_close(counted, flown, {.absolute = 1});
 }

@@ -204,6 +204,16 @@ TEST_CASE("grid: points at which nothing slips are no neighbours of those that l
   }
 }
 
+TEST_CASE("grid: a loss just above first slip that is next to nothing has a finite exponent") {
+  const std::vector<analysis::SelfDampingPoint> points = {
+      {.at = {.antinode_amplitude = 1e-3, .frequency = 10, .tension = 2e4}, .power = 1e-310},
+      {.at = {.antinode_amplitude = 2e-3, .frequency = 10, .tension = 2e4}, .power = 1e-2}};
+  for (const LocalExponents& local : local_exponents(points)) {
+    REQUIRE(local.l);
+    check_close(*local.l, 308 * std::log2(10), {.relative = 1e-3});
+  }
+}
+
 TEST_CASE("grid: velocities beyond the amplitude that is allowed give no point") {
   const Ready ready("stick",
                     "frequencies_Hz = [10, 50]\nantinode_velocity_m_per_s = [0.1, 1]\n"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "strandyn/study/run_case.hpp"
 #include "study/scenes.hpp"
 #include "support/check_close.hpp"
 #include "support/run.hpp"
@@ -111,4 +112,39 @@ TEST_CASE(
   CHECK(row["worst_wire"]["amplitude_Pa"] > row["worst_wire"]["axial_amplitude_Pa"]);
   CHECK(row["poffenberger_swart_Pa"] > 0);
   CHECK(row["cycles_endured"] > 1e9);
+}
+
+TEST_CASE(
+    "clamps: of sticking wires every layer and angle tells the same curvature by its axial part and by its own "
+    "bending") {
+  const casefile::Scene scene = span_scene(clamps + decay, {"analysis.antinode_amplitude_mm=0.02"});
+  study::Outcome outcome;
+  study::prepare(scene)->run({}, outcome);
+  const auto found = std::ranges::find(outcome.tables, "clamp_wires.csv", &results::NamedTable::file);
+  REQUIRE(found != outcome.tables.end());
+  const results::Table& t = found->table;
+  const auto& layers = scene.conductor->strand.layers;
+  double curvature = 0, at = -1;
+  std::size_t compared = 0;
+  for (std::size_t row = 0; row < t.rows(); ++row) {
+    if (t.column("end")[row] != 0) break;
+    if (t.column("at_m")[row] != at) {
+      at = t.column("at_m")[row];
+      curvature = 0;
+    }
+    const auto layer = static_cast<std::size_t>(t.column("layer")[row]);
+    if (layer == 0) continue;
+    const conductor::Layer& wire = layers[layer];
+    const double c = std::cos(wire.lay_angle), theta = t.column("theta_rad")[row];
+    const double s = std::sin(theta), own_shape = std::hypot(std::cos(theta), c * s);
+    // E cos^2 R |sin| chi along the wire, E d/2 cos sqrt(cos^2 + cos^2(lay) sin^2) chi across it.
+    const double chi = t.column("axial_amplitude_Pa")[row] / (wire.young * c * c * wire.helix_radius * std::abs(s));
+    const double across = t.column("amplitude_Pa")[row] - t.column("axial_amplitude_Pa")[row];
+    if (curvature == 0) curvature = chi;
+    // The tension swings with the amplitude's square: 1e-8 of it here.
+    check_close(chi, curvature, {.relative = 1e-4});
+    check_close(across / (wire.young * wire.diameter / 2 * c * own_shape), curvature, {.relative = 1e-4});
+    ++compared;
+  }
+  CHECK(compared > 100);
 }

@@ -1,11 +1,10 @@
 #pragma once
 /// \file The dampers of a span in an energy balance: what they take while the free span vibrates.
 ///
-/// Near each end stands one damper at the most (analysis/damped_end.hpp); its impedance is that of its clamp and of two
-/// Hermite arms (damper/reduced_arm.hpp), an elastic messenger's, the same at every amplitude. Per metre of the span L
-/// they add sum P/L to what damps.
+/// Near each end stands one damper at the most (analysis/damped_end.hpp); it moves and turns with the
+/// conductor (damper/clamp_stiffness.hpp); its messenger is elastic, the same at every amplitude. Per metre of the span
+/// L they add sum P/L to what damps.
 
-#include <complex>
 #include <map>
 #include <optional>
 #include <vector>
@@ -35,13 +34,13 @@ class Protection {
   }
 
  private:
-  std::complex<double> impedance(std::size_t damper, double frequency) const;
+  const analysis::PointStiffness& stiffness(std::size_t damper, double frequency) const;
 
   std::vector<casefile::DamperKeys> dampers_;
   double length_ = 0;           // [m]
   double mass_per_length_ = 0;  // [kg/m]
   double EI_ = 0;               // [N m^2] of sticking wires, which small vibrations find
-  mutable std::vector<std::map<double, std::complex<double>>> found_;
+  mutable std::vector<std::map<double, analysis::PointStiffness>> found_;  // by frequency
 };
 
 }  // namespace strandyn::self_damping
