@@ -93,6 +93,14 @@ class Fatigue final : public Analysis {
     if (summary.damage > 0) summary.years = 1 / summary.damage_a_year;
     outcome.tell(summary);
     outcome.tables.push_back({.file = "spectrum.csv", .table = std::move(table)});
+    outcome.figures.push_back({.name = "spectrum",
+                               .title = "Where the damage comes from",
+                               .table = "spectrum.csv",
+                               .x = "bending_amplitude_m",
+                               .y = {"damage"},
+                               .y_scale = "log",
+                               .caption = "Damage of the record by bending amplitude, peak to peak: cycles over those "
+                                          "that CIGRE's safe border line endures."});
     outcome.warnings.emplace_back(
         "a record of some days is no year: damage grows with the fifth to sixth power of the amplitude, so the few "
         "strongest hours decide");
