@@ -57,8 +57,10 @@ std::optional<Rest> rest_of(const SpanAtRest& span) {
   if (!span.built.catenary_sag) return rest;
   const Vector force = unbalanced(span, 0);
   rest.sag = sag(model, span.u);
-  rest.catenary_sag = span.built.catenary_sag;
   rest.horizontal_tension = model.displacement(force.data(), model.nodes.size() - 1).x();
+  // A line hangs in as many catenaries as it has spans: the largest sag and the tension at its right end are its own.
+  if (model.supports.size() > 2) return rest;
+  rest.catenary_sag = span.built.catenary_sag;
   rest.catenary_horizontal_tension = span.built.tension;
   return rest;
 }
