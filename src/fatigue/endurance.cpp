@@ -48,6 +48,10 @@ std::span<const EnduranceLimit> endurance_limits() {
   return limits;
 }
 
+double endurance_limit(AluminiumLayers layers) {
+  return limits[layers == AluminiumLayers::one ? 0 : 1].stress;
+}
+
 double damage(AluminiumLayers layers, std::span<const StressCycles> spectrum) {
   double sum = 0;
   for (const StressCycles& s : spectrum) sum += s.cycles / cycles_endured(layers, s.stress);

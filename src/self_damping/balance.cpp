@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "foti_2018.hpp"
-#include "strandyn/analysis/bending_amplitude.hpp"
 #include "strandyn/analysis/energy_balance.hpp"
 #include "strandyn/analysis/published_laws.hpp"
+#include "strandyn/build/clamp.hpp"
 #include "strandyn/build/wind.hpp"
-#include "strandyn/fatigue/endurance.hpp"
 #include "strandyn/self_damping/protection.hpp"
 
 namespace strandyn::self_damping {
@@ -97,8 +96,7 @@ class Line {
         end(), {.antinode_amplitude = amplitude, .loop_length = build::loop_length(scene_, tension_, frequency)});
   }
   double bending_stress(double bending_amplitude) const {
-    const conductor::Layer& surface = scene_.conductor->strand.layers.back();
-    return analysis::bending_stress(end(), {.diameter = surface.diameter, .young = surface.young}, bending_amplitude);
+    return analysis::bending_stress(end(), build::surface_wire(scene_.conductor->strand), bending_amplitude);
   }
 
   BalanceRow row(double frequency, const Protection* protection) const {
@@ -147,8 +145,8 @@ class Line {
 };
 
 /// Where no balance is found vibration stays below the curve, and counts as none.
-PlacementRow placement_of(const Line& line, const Protection& protection, const std::vector<double>& frequencies) {
-  constexpr double endurance_limit = 8.5e6;  // [Pa]
+PlacementRow placement_of(const Line& line, const Protection& protection, const std::vector<double>& frequencies,
+                          double endurance_limit) {
   PlacementRow placement;
   std::size_t covered = 0;
   for (const double frequency : frequencies) {
@@ -170,9 +168,10 @@ std::vector<PlacementRow> placements_of(const Line& line, const BalanceInputs& i
                                         const std::vector<double>& frequencies) {
   std::vector<PlacementRow> rows;
   const casefile::PlaceScan& scan = *keys.damper_at;
+  const double limit = fatigue::endurance_limit(build::aluminium_layers(inputs.scene.conductor->strand));
   for (int i = 0; i < scan.count; ++i) {
     const double at = scan.from + (scan.to - scan.from) * i / (scan.count - 1);
-    rows.push_back(placement_of(line, Protection(inputs.scene, keys, at), frequencies));
+    rows.push_back(placement_of(line, Protection(inputs.scene, keys, at), frequencies, limit));
     rows.back().at = at;
   }
   std::ranges::min_element(rows, {}, &PlacementRow::largest_stress)->is_best = true;
@@ -190,11 +189,7 @@ DamageRow damage_of(const Line& line, const BalanceInputs& inputs, const casefil
       spectrum.push_back({.stress = *row.bending_stress, .cycles = hours * seconds_an_hour * frequency});
     }
   }
-  const auto soft = std::ranges::count_if(inputs.scene.conductor->strand.layers, [](const conductor::Layer& layer) {
-    return layer.young < casefile::steel_from;
-  });
-  DamageRow row{.damage = fatigue::damage(soft > 1 ? fatigue::AluminiumLayers::several : fatigue::AluminiumLayers::one,
-                                          spectrum)};
+  DamageRow row{.damage = fatigue::damage(build::aluminium_layers(inputs.scene.conductor->strand), spectrum)};
   if (row.damage > 0) row.years = 1 / row.damage;
   return row;
 }

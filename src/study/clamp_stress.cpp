@@ -5,9 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "strandyn/analysis/bending_amplitude.hpp"
+#include "strandyn/build/clamp.hpp"
 #include "strandyn/conductor/contact.hpp"
-#include "strandyn/fatigue/endurance.hpp"
 #include "strandyn/fatigue/recorder.hpp"
 
 namespace strandyn::study {
@@ -42,13 +41,6 @@ struct WireSwing {
   Swing axial, outer, inner;  // [Pa]
   const Swing& larger() const { return outer.amplitude() >= inner.amplitude() ? outer : inner; }
 };
-
-/// Which layers of aluminium a clamp wears out: those that are softer than steel.
-fatigue::AluminiumLayers aluminium_layers(const conductor::Strand& strand) {
-  const auto soft = std::ranges::count_if(
-      strand.layers, [](const conductor::Layer& layer) { return layer.young < casefile::steel_from; });
-  return soft > 1 ? fatigue::AluminiumLayers::several : fatigue::AluminiumLayers::one;
-}
 
 }  // namespace
 
@@ -132,18 +124,18 @@ class ClampObserver::Clamp {
 
   ClampRow row(double frequency, std::optional<double> antinode_amplitude) const {
     const conductor::Strand& strand = scene_->conductor->strand;
-    const conductor::Layer& surface = strand.layers.back();
+    const analysis::SurfaceWire surface = build::surface_wire(strand);
     const build::SectionNumbers& numbers = span_->built.numbers;
     ClampRow row{.end = is_right_ ? "right" : "left", .bending_amplitude = 2 * last_.deflection.amplitude()};
     row.poffenberger_swart = analysis::bending_stress(
-        {.tension = span_->built.tension, .EI_min = numbers.EI_min, .distance = keys().distance},
-        {.diameter = surface.diameter, .young = surface.young}, row.bending_amplitude);
+        {.tension = span_->built.tension, .EI_min = numbers.EI_min, .distance = keys().distance}, surface,
+        row.bending_amplitude);
     if (antinode_amplitude) {
       row.by_velocity = pi * surface.young * surface.diameter * frequency * *antinode_amplitude *
                         std::sqrt(*casefile::mass_per_length(*scene_) / numbers.EI_min);
     }
     if (row.poffenberger_swart > 0) {
-      row.cycles_endured = fatigue::cycles_endured(aluminium_layers(strand), row.poffenberger_swart);
+      row.cycles_endured = fatigue::cycles_endured(build::aluminium_layers(strand), row.poffenberger_swart);
     }
     if (last_.wires.empty()) return row;
     row.contact_load = last_.contact_load;

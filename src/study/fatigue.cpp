@@ -6,9 +6,8 @@
 #include <filesystem>
 
 #include "entries.hpp"
-#include "strandyn/analysis/bending_amplitude.hpp"
+#include "strandyn/build/clamp.hpp"
 #include "strandyn/build/section_law.hpp"
-#include "strandyn/fatigue/endurance.hpp"
 #include "strandyn/fatigue/rainflow.hpp"
 
 namespace strandyn::study {
@@ -68,18 +67,15 @@ class Fatigue final : public Analysis {
 
   void run(const Hooks&, Outcome& outcome) override {
     const conductor::Strand& strand = scene_.conductor->strand;
-    const conductor::Layer& surface = strand.layers.back();
-    const auto soft = std::ranges::count_if(
-        strand.layers, [](const conductor::Layer& layer) { return layer.young < casefile::steel_from; });
-    const auto layers = soft > 1 ? fatigue::AluminiumLayers::several : fatigue::AluminiumLayers::one;
-    const double limit = fatigue::endurance_limits()[soft > 1 ? 1 : 0].stress;
+    const analysis::SurfaceWire surface = build::surface_wire(strand);
+    const fatigue::AluminiumLayers layers = build::aluminium_layers(strand);
+    const double limit = fatigue::endurance_limit(layers);
     const analysis::ClampedEnd end{
         .tension = tension_, .EI_min = build::section_numbers(scene_).EI_min, .distance = keys_.distance};
     FatigueSummary summary{.tension = tension_, .recorded_hours = hours_};
     results::Table table({"bending_amplitude_m", "stress_Pa", "cycles", "cycles_endured", "damage"});
     for (const Recorded& row : recorded_) {
-      const double stress =
-          analysis::bending_stress(end, {.diameter = surface.diameter, .young = surface.young}, row.bending_amplitude);
+      const double stress = analysis::bending_stress(end, surface, row.bending_amplitude);
       const double endured = fatigue::cycles_endured(layers, stress);
       const double damage = row.cycles / endured;
       summary.cycles += row.cycles;

@@ -31,6 +31,8 @@ struct EnduranceLimit {
   double stress = 0;  ///< [Pa] amplitude
 };
 std::span<const EnduranceLimit> endurance_limits();
+/// [Pa] of ACSR.
+double endurance_limit(AluminiumLayers layers);
 
 /// So many cycles of a stress amplitude [Pa].
 struct StressCycles {

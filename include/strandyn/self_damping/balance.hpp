@@ -60,8 +60,8 @@ void members(V& v, PlacementRow& p) {
   v.value("worst_frequency_Hz", p.worst_frequency, {.what = "where that is"});
   v.value(
       "coverage", p.coverage,
-      {.what = "part of the frequencies at which the stress stays below EPRI's endurance limit of ACSR with several "
-               "layers of aluminium, 8.5 MPa"});
+      {.what = "part of the frequencies at which the stress stays below EPRI's endurance limit of ACSR: 8.5 MPa with "
+               "several layers of aluminium, 22.5 MPa with one"});
   v.value("is_best", p.is_best, {.what = "whether its largest stress is the smallest of all places"});
 }
 
