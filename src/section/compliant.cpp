@@ -67,11 +67,13 @@ SpringTable::SpringTable(const std::array<conductor::SpringChain, 2>& sides)
       at(i, phi) = sides[side].limit[i];
       at(i, per_kappa) = 1 / at(i, kappa);
       at(i, per_phi) = 1 / at(i, phi);
-      at(i, pull) = at(i, kappa) / at(i, phi);
-      at(i + 1, pull_below) = std::min(at(i, pull_below), at(i, pull));
+      at(i + 1, pull_below) = std::min(at(i, pull_below), at(i, kappa) / at(i, phi));
       at(i + 1, phi_below) = at(i, phi_below) + at(i, phi);
     }
-    for (std::size_t i = springs_; i-- > 0;) at(i, kappa_from) = at(i + 1, kappa_from) + at(i, kappa);
+    for (std::size_t i = springs_; i-- > 0;) {
+      at(i, kappa_from) = at(i + 1, kappa_from) + at(i, kappa);
+      at(i, pull_from) = std::max(at(i + 1, pull_from), at(i, kappa) / at(i, phi));
+    }
   }
 }
 

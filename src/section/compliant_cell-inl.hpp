@@ -65,6 +65,7 @@ struct Wires {
   PerLayer across;                           // [m] w of the step
   PerLayer limit, traction, q;               // [N/m]
   PerLayer residual;                         // [N/m] q + k_w u - demand
+  PerLayer first_residual;                   // of the first guess
   PerLayer elastic;                          // dT/dw
   PerLayer holding;                          // [-] elastic over K
   PerLayer follow;                           // dT/df
@@ -79,7 +80,10 @@ HWY_INLINE Sides own_load(const Layer& layer) {
 }
 
 /// Tractions and residuals at `slip`; true where they balance, within `rounding` of the largest that they can be.
-HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, const Sides& rounding, Wires& w) {
+/// A look that is no judgement (`kJudge`) finds only what a correction needs.
+template <bool kJudge>
+HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, const Sides& rounding, Wires& w,
+                             PerLayer& residuals) {
   const Sides zero = both(0);
   const std::size_t layers = c.layers.size();
   const std::size_t rows = rows_of_interface(c) * block_lanes;
@@ -105,15 +109,17 @@ HWY_INLINE SideMasks balance(const CompliantCoefficients& c, const Cell& cell, c
                                    mul(K, across), limit);
     const Sides q = mul_add(both(layer.traction_of_outer), outside, t.sum);
     const Sides residual = sub(q, wanted);
-    Sides size = mul_add(both(layer.load_of_outer), limit_outside, limit);
-    size = add(size, add(absolute(wanted), absolute(demand)));
-    open = one_of(open, above(absolute(residual), mul(rounding, size)));
-    w.across.set(i, across);
-    w.limit.set(i, limit);
-    w.traction.set(i, t.sum);
-    w.q.set(i, q);
-    w.residual.set(i, residual);
-    w.holding.set(i, t.holding);
+    residuals.set(i, residual);
+    if constexpr (kJudge) {
+      Sides size = mul_add(both(layer.load_of_outer), limit_outside, limit);
+      size = add(size, add(absolute(wanted), absolute(demand)));
+      open = one_of(open, above(absolute(residual), mul(rounding, size)));
+      w.across.set(i, across);
+      w.limit.set(i, limit);
+      w.traction.set(i, t.sum);
+      w.q.set(i, q);
+      w.holding.set(i, t.holding);
+    }
     w.elastic.set(i, mul(K, t.holding));
     w.follow.set(i, if_else_zero(closed, mul(mu, t.sliding)));
     if (i + 1 < layers) w.handed.set(i, if_else_zero(closed, both(c.layers[i + 1].load_of_outer)));
@@ -173,11 +179,11 @@ HWY_INLINE void substitute(const CompliantCoefficients& c, const Wires& w, const
   }
 }
 
-/// What the residuals do on Newton's step: the slope of the springs' potential along it.
-HWY_INLINE Sides slope_along_step(const CompliantCoefficients& c, const Wires& w) {
+/// What residuals do on Newton's step: the slope of the springs' potential along it.
+HWY_INLINE Sides slope_along_step(const CompliantCoefficients& c, const Wires& w, const PerLayer& residual) {
   Sides sum = both(0);
   for (std::size_t i = 0; i < c.layers.size(); ++i) {
-    sum = mul_add(both(c.layers[i].wires_per_length), mul(w.step[i], w.residual[i]), sum);
+    sum = mul_add(both(c.layers[i].wires_per_length), mul(w.step[i], residual[i]), sum);
   }
   return sum;
 }
@@ -189,9 +195,9 @@ struct LineSearch {
   Sides length;       // [-] of the way along it
   Sides low, high, slope_low, slope_high;
 
-  static HWY_INLINE LineSearch begin() {
+  static HWY_INLINE LineSearch begin(const Sides& slope) {
     const Sides zero = both(0);
-    return {zero, both(1), zero, zero, zero, zero};
+    return {slope, both(1), zero, zero, slope, zero};
   }
   /// Where the step must be tried again, with another length. Half of the slope at the start is near enough.
   HWY_INLINE SideMasks retry(const Sides& slope, const SideMasks& done) {
@@ -264,19 +270,13 @@ HWY_INLINE SideMasks guess(const CompliantCoefficients& c, const Cell& cell, Wir
   return goes_on;
 }
 
-/// Solves a cell from the slips at hand. Where they are not a solution of its linear equations they are corrected at
-/// least once, since limits far above all forces would let a `guessed` one pass for rounding. The potential of its
-/// springs is convex with a piecewise linear slope: Newton's method.
-HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, const SideMasks& guessed, Wires& w) {
-  const Sides zero = both(0);
+/// What is left to do where the first correction was not the last. `done` is where it was.
+inline HWY_NOINLINE void solve_on(const CompliantCoefficients& c, const Cell& cell, SideMasks done, Wires& w) {
   const std::size_t layers = c.layers.size();
   const Sides rounding = both(rounding_of_a_wire);
-  LineSearch search = LineSearch::begin();
-  for (int round = 0;; ++round) {
-    const SideMasks done = balance(c, cell, round > 0 ? rounding : choose(guessed, zero, rounding), w);
-    if (round == most_rounds || all_true(done)) return;
-    SideMasks again{hn::Lt(zero.t, zero.t), hn::Lt(zero.t, zero.t)};
-    if (round > 0) again = search.retry(slope_along_step(c, w), done);
+  LineSearch search = LineSearch::begin(slope_along_step(c, w, w.first_residual));
+  for (int round = 1; round < most_rounds; ++round) {
+    const SideMasks again = search.retry(slope_along_step(c, w, w.residual), done);
     if (!all_true(one_of(again, done))) {
       eliminate(c, w);
       substitute(c, w, w.residual, w.across);
@@ -284,13 +284,41 @@ HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, const Si
         w.base.set(i, choose(again, w.base[i], w.slip[i]));
         w.step.set(i, choose(again, w.step[i], neg(w.across[i])));
       }
-      search.restart(again, slope_along_step(c, w));
+      search.restart(again, slope_along_step(c, w, w.residual));
     }
     // What is solved waits unchanged for its neighbours.
     for (std::size_t i = 0; i < layers; ++i) {
       w.slip.set(i, choose(done, w.slip[i], mul_add(search.length, w.step[i], w.base[i])));
     }
+    done = balance<true>(c, cell, rounding, w, w.residual);
+    if (all_true(done)) return;
   }
+}
+
+/// Solves a cell from the slips at hand. Where they are not a solution of its linear equations they are corrected at
+/// least once, since limits far above all forces would let a `guessed` one pass for rounding. The potential of its
+/// springs is convex with a piecewise linear slope: Newton's method. One correction does nearly always.
+HWY_INLINE void solve(const CompliantCoefficients& c, const Cell& cell, const SideMasks& guessed, Wires& w) {
+  const Sides zero = both(0);
+  const Sides rounding = both(rounding_of_a_wire);
+  SideMasks done{hn::Lt(zero.t, zero.t), hn::Lt(zero.t, zero.t)};
+  if (all_true(guessed)) {
+    balance<false>(c, cell, zero, w, w.first_residual);
+  } else {
+    done = balance<true>(c, cell, choose(guessed, zero, rounding), w, w.first_residual);
+    if (all_true(done)) return;
+  }
+  eliminate(c, w);
+  substitute(c, w, w.first_residual, w.step);
+  for (std::size_t i = 0; i < c.layers.size(); ++i) {
+    const Sides base = w.slip[i];
+    const Sides step = neg(w.step[i]);
+    w.base.set(i, base);
+    w.step.set(i, step);
+    w.slip.set(i, choose(done, base, add(base, step)));
+  }
+  done = balance<true>(c, cell, rounding, w, w.residual);
+  if (!all_true(done)) solve_on(c, cell, done, w);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -36,6 +36,8 @@ HWY_INLINE Sides at_column(const double* row, SpringTable::Column column) {
 constexpr double still_stuck = 1 + 1e-13;
 /// Beyond that it surely slides.
 constexpr double surely_slides = 1 + 1e-12;
+/// Covers what rounding takes off a bound.
+constexpr double rounded_up = 1 + 1e-15;
 /// Room of the springs that need no look, in last steps of slip and of limit: the next one may be a larger one.
 constexpr double steps_of_room = 2.5;
 
@@ -88,21 +90,27 @@ HWY_INLINE bool have_room(const InterfaceAt& face, const Sides& K_slip, const Si
   return all_true(both_of(not_above(absolute(K_slip), absolute(face[next_step])), above(limit, face[needed])));
 }
 
-/// Whether all springs below that row slide, and to which side.
-HWY_INLINE bool slide_below(const SpringTable& table, const double* row, const InterfaceAt& face, const Sides& K_slip,
-                            const Sides& limit, Sides& sign) {
-  sign = with_sign_of(both(1), face[next_step]);
-  const Sides along = times_sign(K_slip, sign);
+/// Whether all springs below a row slide, and to which side.
+struct Slides {
+  bool all = false;
+  bool onward = false;  // all of them on, as the last step pushed them
+  Sides direction;      // its signs count
+};
+HWY_INLINE Slides slide_below(const SpringTable& table, const double* row, const InterfaceAt& face, const Sides& K_slip,
+                              const Sides& limit) {
+  const Sides pushed = face[next_step];
+  const Sides along = times_sign(K_slip, pushed);
   const Sides least = at_column(row, SpringTable::pull_below);
-  const Sides most = at_column(table.row(0), SpringTable::pull);  // of all: the grading's smallest spring
   const Sides then = face[limit_then];
   const Sides needed = mul(limit, both(surely_slides));
   const SideMasks forward = above(along, both(0));
-  const SideMasks goes_on = above(mul_add(choose(forward, least, most), along, then), needed);
+  const SideMasks pulled = above(mul_add(least, along, then), needed);
+  if (all_true(both_of(forward, pulled))) return {.all = true, .onward = true, .direction = pushed};
+  const Sides most = at_column(table.row(0), SpringTable::pull_from);
+  const SideMasks held_back = above(mul_add(most, along, then), needed);
+  const SideMasks goes_on = one_of(both_of(forward, pulled), without(forward, held_back));
   const SideMasks turns = above(neg(needed), mul_add(least, along, then));
-  if (!all_true(one_of(goes_on, turns))) return false;
-  sign = choose(goes_on, sign, neg(sign));
-  return true;
+  return {.all = all_true(one_of(goes_on, turns)), .direction = choose(goes_on, pushed, neg(pushed))};
 }
 
 /// `windows`: whether a commit has left the sums for registers of this width.
@@ -122,9 +130,9 @@ HWY_INLINE Traction traction_of(const SpringTable& table, const InterfaceAt& fac
     }
     if (look.slid_to > 0) {
       row = table.row(look.slid_to);
-      Sides sign;
-      if (slide_below(table, row, face, K_slip, limit, sign)) {
-        sum.sliding = mul(sign, at_column(row, SpringTable::phi_below));
+      const Slides slides = slide_below(table, row, face, K_slip, limit);
+      if (slides.all) {
+        sum.sliding = turned_as(at_column(row, SpringTable::phi_below), slides.direction);
       } else {
         look.slid_to = 0;
       }
@@ -180,40 +188,114 @@ struct SpringEnergy {
 
 /// The window that a commit leaves: from the largest spring down as far as all have room.
 struct NextWindow {
-  Sides limit, lowest;    // the least limit that the next step may have
+  Sides lowest;           // the least limit that the next step may have
   Sides step, step_size;  // K w that it may have
-  Sides held, most;       // of those that have room: the sum of their forces, the limit that they need
+  Sides held, most;       // of those that have room: the sum of their forces, the limit that they need at most
   std::size_t stuck_from;
   bool open = true;
 
-  HWY_INLINE NextWindow(std::size_t springs, const Sides& grown, const Sides& limit_now, const Sides& K_slip)
-      : limit(limit_now), stuck_from(springs) {
+  HWY_INLINE NextWindow(std::size_t springs, const Sides& grown, const Sides& limit, const Sides& K_slip)
+      : stuck_from(springs) {
     lowest = sub(limit, absolute(grown));
     step = mul(both(steps_of_room), K_slip);
     step_size = absolute(step);
     held = both(0);
     most = both(-1e300);
   }
+  /// Those of the window before that have kept their room, by a bound that spares a look at each: none needs more than
+  /// what all needed, and what the slip and a longer step to come add to the one that is pulled most.
+  HWY_INLINE bool keeps_room(const double* row, const InterfaceAt& face, const Sides& K_slip) {
+    const Sides more = sub(add(absolute(K_slip), step_size), absolute(face[next_step]));
+    const Sides pulled = mul(at_column(row, SpringTable::pull_from), larger(both(0), more));
+    const Sides bound = mul_add(both(rounded_up), face[needed], pulled);
+    if (!all_true(above(lowest, bound))) return false;
+    most = bound;
+    return true;
+  }
   /// One more spring, which has that force now.
   HWY_INLINE void take(std::size_t spring, const double* row, const Sides& now) {
     const Sides y = mul(at_column(row, SpringTable::per_phi), absolute(now));
-    const Sides next = larger(most, mul_add(at_column(row, SpringTable::pull), step_size, y));
+    const Sides next = larger(most, mul_add(at_column(row, SpringTable::pull_from), step_size, y));
     open = all_true(above(lowest, next));
     if (!open) return;
     most = next;
     held = add(held, now);
     stuck_from = spring;
   }
-  /// Springs below the others that stand at their limit, pushed on, and outrun it.
-  HWY_INLINE std::size_t slid_to(const SpringTable& table, const InterfaceAt& face, const Sides& grown) const {
+  /// Springs below the others that stand at their limit, pushed on, and outrun it; those below `first` do.
+  HWY_INLINE std::size_t slid_to(const SpringTable& table, const InterfaceAt& face, const Sides& limit,
+                                 const Sides& grown, std::size_t first) const {
     const Sides signed_limit = with_sign_of(limit, step);
-    const double* row = table.row(0);
-    for (std::size_t i = 0; i < stuck_from; ++i, row += SpringTable::row_length) {
+    const double* row = table.row(first);
+    for (std::size_t i = first; i < stuck_from; ++i) {
       const Sides at_limit = mul(signed_limit, at_column(row, SpringTable::phi));
-      const SideMasks outruns = above(mul(at_column(row, SpringTable::pull), step_size), grown);
-      if (!all_true(both_of(outruns, equal(at_limit, face[first_spring + i])))) return i;
+      row += SpringTable::row_length;
+      const SideMasks outrun = above(mul(at_column(row, SpringTable::pull_below), step_size), grown);
+      if (!all_true(both_of(outrun, equal(at_limit, face[first_spring + i])))) return i;
     }
     return stuck_from;
+  }
+};
+
+/// The springs of an interface on their way through a commit.
+struct Settling {
+  const SpringTable& table;
+  double* at;
+  std::size_t other_side;
+  Sides K_slip, limit;
+
+  HWY_INLINE void keep(std::size_t row, const Sides& value) const {
+    hn::Store(value.t, tag, at + row * block_lanes);
+    hn::Store(value.c, tag, at + row * block_lanes + other_side);
+  }
+  HWY_INLINE Sides force(std::size_t spring) const { return InterfaceAt{at, other_side}[first_spring + spring]; }
+  HWY_INLINE Sides trial(const double* row, const Sides& f) const {
+    return mul_add(at_column(row, SpringTable::kappa), K_slip, f);
+  }
+  /// Springs from `from` on, which stay stuck.
+  template <bool kTake>
+  HWY_INLINE void stick(std::size_t from, NextWindow& next, SpringEnergy& energy) const {
+    const double* row = table.row(table.springs());
+    for (std::size_t i = table.springs(); i-- > from;) {
+      row -= SpringTable::row_length;
+      const Sides now = trial(row, force(i));
+      energy.store(at_column(row, SpringTable::per_kappa), now);
+      keep(first_spring + i, now);
+      if constexpr (!kTake) next.held = add(next.held, now);
+      if constexpr (kTake) {
+        if (next.open) next.take(i, row, now);
+      }
+    }
+  }
+  /// Springs from `to` down to `from`, which may slide.
+  HWY_INLINE void clip_each(std::size_t to, std::size_t from, NextWindow& next, SpringEnergy& energy) const {
+    const double* row = table.row(to);
+    for (std::size_t i = to; i-- > from;) {
+      row -= SpringTable::row_length;
+      const Sides per_kappa = at_column(row, SpringTable::per_kappa);
+      const Sides f = force(i);
+      const Sides most = mul(limit, at_column(row, SpringTable::phi));
+      const Sides clipped = trial(row, f);
+      const Sides now{clip(clipped.t, most.t), clip(clipped.c, most.c)};
+      energy.lose(per_kappa, f, clipped, now);
+      energy.store(per_kappa, now);
+      keep(first_spring + i, now);
+      if (next.open) next.take(i, row, now);
+    }
+  }
+  /// Springs below `to`, which slide on.
+  HWY_INLINE void slide(std::size_t to, const Sides& direction, SpringEnergy& energy) const {
+    const Sides signed_limit = with_sign_of(limit, direction);
+    const double* row = table.row(to);
+    for (std::size_t i = to; i-- > 0;) {
+      row -= SpringTable::row_length;
+      const Sides per_kappa = at_column(row, SpringTable::per_kappa);
+      const Sides f = force(i);
+      const Sides now = mul(signed_limit, at_column(row, SpringTable::phi));
+      energy.lose(per_kappa, f, trial(row, f), now);
+      energy.store(per_kappa, now);
+      keep(first_spring + i, now);
+    }
   }
 };
 
@@ -221,43 +303,46 @@ struct NextWindow {
 HWY_INLINE void settle_springs(const SpringTable& table, double* at, std::size_t other_side, bool windows,
                                const Rigidity& K, const Sides& across, const Sides& limit, V weight, SlipEnergy& sums) {
   const std::size_t springs = table.springs();
-  const auto keep = [&](std::size_t row, const Sides& value) HWY_ATTR {
-    hn::Store(value.t, tag, at + row * block_lanes);
-    hn::Store(value.c, tag, at + row * block_lanes + other_side);
-  };
   const InterfaceAt face{at, other_side};
   const Sides K_slip = mul(both(K.K), across);
-  const bool widens = !hn::AllTrue(tag, hn::Eq(K.widening, hn::Zero(tag)));
-  const bool roomy = windows && have_room(face, K_slip, limit);
-  const std::size_t free_from = roomy ? face.window_of(springs).stuck_from : springs;
+  const Settling settling{table, at, other_side, K_slip, limit};
   const Sides grown = mul(both(steps_of_room), sub(limit, face[limit_then]));
   NextWindow next(springs, grown, limit, K_slip);
   const V zero = hn::Zero(tag);
   SpringEnergy energy{zero, zero, zero, zero};
-  const double* row = table.row(springs);
-  for (std::size_t i = springs; i-- > 0;) {
-    row -= SpringTable::row_length;
-    const Sides per_kappa = at_column(row, SpringTable::per_kappa);
-    const Sides f = face[first_spring + i];
-    Sides now = mul_add(at_column(row, SpringTable::kappa), K_slip, f);
-    if (widens) energy.widen(per_kappa, f);
-    if (i < free_from) {
-      const Sides most = mul(limit, at_column(row, SpringTable::phi));
-      const Sides trial = now;
-      now = {clip(trial.t, most.t), clip(trial.c, most.c)};
-      energy.lose(per_kappa, f, trial, now);
+  if (!hn::AllTrue(tag, hn::Eq(K.widening, zero))) {
+    for (std::size_t i = springs; i-- > 0;) {
+      energy.widen(at_column(table.row(i), SpringTable::per_kappa), settling.force(i));
     }
-    energy.store(per_kappa, now);
-    keep(first_spring + i, now);
-    if (next.open) next.take(i, row, now);
+  }
+  const Window before = windows ? face.window_of(springs) : Window{0, springs};
+  std::size_t free_from = springs;
+  if (windows && have_room(face, K_slip, limit)) {
+    free_from = before.stuck_from;
+    if (next.keeps_room(table.row(free_from), face, K_slip)) {
+      next.stuck_from = free_from;
+      settling.stick<false>(free_from, next, energy);
+    } else {
+      settling.stick<true>(free_from, next, energy);
+    }
+  }
+  Slides slides;
+  if (before.slid_to > 0) slides = slide_below(table, table.row(before.slid_to), face, K_slip, limit);
+  const std::size_t slid_to = slides.onward ? before.slid_to : 0;
+  settling.clip_each(free_from, slid_to, next, energy);
+  std::size_t outrun_to = 0;
+  if (slid_to > 0) {
+    settling.slide(slid_to, slides.direction, energy);
+    const Sides least = at_column(table.row(slid_to), SpringTable::pull_below);
+    if (all_true(above(mul(least, next.step_size), grown))) outrun_to = slid_to;
   }
   energy.add_to(sums, K, weight);
-  const Window left{next.slid_to(table, face, grown), next.stuck_from};
-  keep(limit_then, limit);
-  keep(window, both(left.packed()));
-  keep(held_there, next.held);
-  keep(next_step, next.step);
-  keep(needed, next.most);
+  const Window left{next.slid_to(table, face, limit, grown, outrun_to), next.stuck_from};
+  settling.keep(limit_then, limit);
+  settling.keep(window, both(left.packed()));
+  settling.keep(held_there, next.held);
+  settling.keep(next_step, next.step);
+  settling.keep(needed, next.most);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -73,14 +73,15 @@ std::optional<std::string> find_fault(const CompliantOptions& options);
 class SpringTable {
  public:
   enum Column : std::size_t {
+    // What a spring is looked at for lies in one line of the cache, what spares the look in the next.
     kappa,       ///< [-] part of the contact's first stiffness
     phi,         ///< [-] part of its limit
+    per_kappa,   ///< [-]
+    per_phi,     ///< [-]
     pull_below,  ///< [-] smallest kappa/phi of the springs below this one
     phi_below,   ///< [-] the sum of their phi
     kappa_from,  ///< [-] sum of kappa of the springs from this one on
-    pull,        ///< [-] kappa/phi
-    per_kappa,   ///< [-]
-    per_phi,     ///< [-]
+    pull_from,   ///< [-] their largest kappa/phi
     columns
   };
   static constexpr std::size_t row_length = 2 * columns;  ///< tension side, compression side, column by column
