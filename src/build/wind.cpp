@@ -60,6 +60,14 @@ std::optional<model::Wind> wind_of(const Scene& scene, const model::Model& model
   wind.wake.strouhal = keys.strouhal;
   if (!keys.history.empty()) wind.history = casefile::tabulated(keys.history);
   for (const double place : model::arc_lengths(model)) wind.shear.push_back(factor_at(keys.shear, place));
+  const double mean = keys.history.empty() ? *keys.speed : keys.history.front()[1];
+  // Gusts that are as fast as vortices are no gusts.
+  const double shedding = air::shedding_frequency({.diameter = wind.wake.diameter, .strouhal = keys.strouhal}, mean);
+  wind.gusts = air::Gusts({.intensity = keys.turbulence_intensity,
+                           .length = keys.turbulence_length,
+                           .speed = mean,
+                           .highest = shedding / 4,
+                           .seed = static_cast<std::uint32_t>(keys.seed.value_or(1))});
   if (keys.seed) wind.seed = static_cast<std::uint32_t>(*keys.seed);
   return wind;
 }

@@ -16,39 +16,44 @@ class WakesOnChain final : public WindOnChain {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const double part = static_cast<double>(random()) / 4294967296.0;  // of a turn
       const double phase = wind.seed ? 2 * std::numbers::pi * part : 0;
-      wakes_[i] = {.q = wind.amplitude * std::cos(phase),
-                   .rate = -wind.amplitude * wind.wake.angular_frequency(speed(i, 0)) * std::sin(phase)};
+      wakes_[i] = {
+          .q = wind.amplitude * std::cos(phase),
+          .rate = -wind.amplitude * wind.wake.angular_frequency(wind.shear[i] * speed_at(0)) * std::sin(phase)};
     }
   }
 
   void subtract_force(const State& state, double time, double* f) const override {
+    const double on_the_way = speed_at((time_ + time) / 2), speed = speed_at(time);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const double acceleration = state.a[nodes_[i].unknown];
-      const air::Wake wake = after(i, time, acceleration);
-      f[nodes_[i].unknown] -= nodes_[i].length * force(i, time, wake, state.v[nodes_[i].unknown]);
+      const air::Wake wake = after(i, time, on_the_way, acceleration);
+      f[nodes_[i].unknown] -= nodes_[i].length * force(i, speed, wake, state.v[nodes_[i].unknown]);
     }
   }
 
   void subtract_tangent(double factor, math::ChainMatrix& K) const override {
+    const double speed = speed_at(time_);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      const double damping = nodes_[i].length * wind_.wake.damping(speed(i, time_));
+      const double damping = nodes_[i].length * wind_.wake.damping(wind_.shear[i] * speed);
       K.add_at_node(nodes_[i].unknown, nodes_[i].unknown, factor * damping);
     }
   }
 
   double power(const State& state) const override {
     double power = 0;
+    const double speed = speed_at(time_);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const double velocity = state.v[nodes_[i].unknown];
-      power += nodes_[i].length * velocity * force(i, time_, wakes_[i], velocity);
+      power += nodes_[i].length * velocity * force(i, speed, wakes_[i], velocity);
     }
     return power;
   }
 
   void commit(const State& state, double time) override {
+    const double on_the_way = speed_at((time_ + time) / 2);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const double acceleration = state.a[nodes_[i].unknown];
-      wakes_[i] = after(i, time, acceleration);
+      wakes_[i] = after(i, time, on_the_way, acceleration);
       acceleration_[i] = acceleration;
     }
     time_ = time;
@@ -60,20 +65,21 @@ class WakesOnChain final : public WindOnChain {
   }
 
  private:
-  double speed(std::size_t i, double time) const {
-    return wind_.speed * wind_.shear[i] * math::evaluate(wind_.history, time);
+  /// [m/s] without shear.
+  double speed_at(double time) const {
+    return wind_.speed * math::evaluate(wind_.history, time) * wind_.gusts.at(time);
   }
 
-  /// The wake at the end of a step that goes from the last commit to `time`.
-  air::Wake after(std::size_t i, double time, double acceleration) const {
+  /// The wake at the end of a step that goes from the last commit to `time`, in a wind of that speed.
+  air::Wake after(std::size_t i, double time, double speed, double acceleration) const {
     if (time <= time_) return wakes_[i];
-    return air::advance(wind_.wake, speed(i, (time_ + time) / 2), wakes_[i],
+    return air::advance(wind_.wake, wind_.shear[i] * speed, wakes_[i],
                         {.length = time - time_, .from = acceleration_[i], .to = acceleration});
   }
 
   /// [N/m] upward.
-  double force(std::size_t i, double time, const air::Wake& wake, double velocity) const {
-    const double U = speed(i, time);
+  double force(std::size_t i, double speed, const air::Wake& wake, double velocity) const {
+    const double U = wind_.shear[i] * speed;
     return wind_.wake.lift_per_q(U) * wake.q - wind_.wake.damping(U) * velocity;
   }
 

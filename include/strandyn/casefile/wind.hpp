@@ -36,6 +36,7 @@ struct WindKeys {
   air::WakeModel wake;                         ///< all but the diameter and the Strouhal number
   std::vector<std::array<double, 2>> history;  ///< [s], [m/s] instead of one speed
   std::vector<std::array<double, 2>> shear;    ///< [m], [-] factors along the span
+  double turbulence_length = 100;              ///< [m]
   double start_amplitude = 2;                  ///< [-] of q
   std::optional<int> seed;
 };
@@ -58,9 +59,12 @@ void keys(V& v, WindKeys& w) {
              {.help = "the mode to which the vortices are locked (that nearest to the shedding frequency of a speed)",
               .at_least = 1});
     v.choice("curve", w.curve, {.help = "the curve of wind power"});
-    v.number("turbulence_intensity", w.turbulence_intensity,
-             {.help = "the turbulence intensity of the wind, deviation over mean", .at_least = 0, .below = 1});
   });
+  v.number("turbulence_intensity", w.turbulence_intensity,
+           {.help = "the turbulence intensity of the wind, deviation over mean: what it takes from the curve, or the "
+                    "gusts of a record that the wakes feel",
+            .at_least = 0,
+            .below = 1});
   v.when("model", w.model, {WindModel::wake_oscillator}, [&] {
     v.rows("history", w.history,
            {{{.help = "time", .unit = units::s}, {.help = "speed", .unit = units::m_per_s, .at_least = 0}}},
@@ -79,12 +83,15 @@ void keys(V& v, WindKeys& w) {
         {.help = "the stall parameter gamma, the fluid's own damping; drag coefficient over 4 pi St", .at_least = 0});
     v.number("added_mass", w.wake.added_mass,
              {.help = "the coefficient of the mass of air that moves along", .at_least = 0});
+    v.number("turbulence_length_m", w.turbulence_length,
+             {.help = "the length scale of the gusts along the wind", .unit = units::m, .above = 0});
     v.number(
         "start_amplitude", w.start_amplitude,
         {.help = "the amplitude of the wake variable q at the start; that of a cylinder at rest is 2", .at_least = 0});
     v.number(
         "seed", w.seed,
-        {.help = "the seed of the phases of the wakes at the start (one phase for all unless given)", .at_least = 0});
+        {.help = "the seed of the gusts, and of the phases of the wakes at the start (one phase for all unless given)",
+         .at_least = 0});
   });
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "strandyn/air/gusts.hpp"
 #include "strandyn/air/wake_oscillator.hpp"
 #include "strandyn/air/wind_power.hpp"
 #include "strandyn/math/time_function.hpp"
@@ -23,6 +24,7 @@ struct WakeWind {
   air::WakeModel wake;
   double speed = 0;                               ///< [m/s]
   math::TimeFunction history = math::Constant{};  ///< [-] times the speed
+  air::Gusts gusts;                               ///< [-] times the speed
   std::vector<double> shear;                      ///< [-] per node, times the speed
   double amplitude = 2;                           ///< [-] of q at the start
   std::optional<std::uint32_t> seed;              ///< of the phases at the start, node by node; none: one phase for all
