@@ -310,6 +310,11 @@ class Transient final : public Analysis {
     std::vector<observe::Observer*> observers = {&probes, &momentum, &energy, &progress};
     std::optional<ClampObserver> clamps;
     if (scene_.clamps && plan.frequency > 0) observers.push_back(&clamps.emplace(scene_, span, plan.frequency));
+    if (scene_.clamps && plan.frequency == 0) {
+      outcome.warnings.emplace_back(
+          "[clamps] counts cycles, and nothing in this run names a frequency: give a harmonic load, [[wind]], or "
+          "[initial] velocity_mode");
+    }
     solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
     options.stop = hooks.stop;
     const solver::IntegratorSummary run =
