@@ -157,3 +157,16 @@ say_by_hand() {
     printf "\n  su -c '%s'\n\n" "$1" >&2
   fi
 }
+
+# What the program builds without and its tests skip: fields of a run (HDF5) and the Python package. Tried, and that is all.
+install_what_is_optional() {
+  local as_root=()
+  command -v apt-get >/dev/null || return 0
+  if [[ $(id -u) != 0 ]]; then
+    sudo -n true 2>/dev/null || return 0
+    as_root=(sudo -n)
+  fi
+  "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get install --no-install-recommends -y \
+    libhdf5-dev python3-numpy python3-h5py python3-xarray >/dev/null 2>&1 </dev/null ||
+    say "without libhdf5-dev and python3-numpy: what they are for is not tested"
+}

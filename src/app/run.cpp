@@ -22,7 +22,7 @@ namespace {
 
 void write_results(const std::filesystem::path& folder, const std::vector<std::string>& earlier,
                    const study::CaseResult& result) {
-  std::vector<std::string> written;
+  std::vector<std::string> written = result.written;
   for (const results::NamedTable& table : result.tables) {
     written.push_back(table.file);
     if (std::ranges::find(result.streamed, table.file) != result.streamed.end()) continue;
@@ -48,6 +48,7 @@ void print_results(const study::CaseResult& result) {
     print("\n{}\n{}", shown.title, report::text_of(shown, table->table));
   }
   if (!result.highlights.empty()) print("\n{}", report::text_of(result.highlights));
+  for (const std::string& finding : result.findings) print("\n{}\n", finding);
   if (!result.verdicts.empty()) print("\n{}", verdict_table(result.verdicts));
 }
 
@@ -120,7 +121,12 @@ ExitCode run_into(const std::filesystem::path& folder, const casefile::Scene& sc
   }
   if (!arguments.quiet) {
     for (const std::string& warning : result.warnings) tell("warning: {}\n", warning);
-    tell("results in {}\n", folder.string());
+    const std::string place = folder.string();
+    if (arguments.report) {
+      tell("results in {}, their page is {}/report.html\n", place, place);
+    } else {
+      tell("results in {}; `strandyn report {}` makes a page of them\n", place, place);
+    }
   }
   if (!result.message.empty()) tell("strandyn: {}\n", result.message);
   if (unprinted) throw *unprinted;

@@ -79,14 +79,22 @@ void print_case(const VerifiedCase& c) {
   print("{}", table.str());
 }
 
+/// Those of the working folder, those installed with this program, or those it was built beside.
+std::filesystem::path shipped_cases() {
+  if (std::filesystem::is_directory("cases")) return "cases";
+  std::error_code unknown;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  const std::filesystem::path installed = program.parent_path().parent_path() / "share/strandyn/cases";
+  if (!unknown && std::filesystem::is_directory(installed)) return installed;
+  return STRANDYN_SOURCE_DIR "/cases";
+}
+
 }  // namespace
 
 ExitCode verify(const VerifyArguments& arguments) {
   if (!arguments.names.empty() && arguments.names.front() == "extremes") return verify_extremes(arguments);
   if (arguments.markdown) throw InputError("--markdown is for `verify extremes`");
-  std::filesystem::path folder = arguments.folder;
-  // A program that was built where its cases lie finds them from anywhere.
-  if (folder.empty()) folder = std::filesystem::is_directory("cases") ? "cases" : STRANDYN_SOURCE_DIR "/cases";
+  const std::filesystem::path folder = arguments.folder.empty() ? shipped_cases() : arguments.folder;
   const std::vector<VerifiedCase> cases =
       study::verify_cases(folder, arguments.names, [](const std::string& name) { tell("running {}\n", name); });
   if (cases.empty()) throw InputError("no case with an [accept] table has such a name; `ls cases` shows what there is");

@@ -60,17 +60,6 @@ std::vector<double> tributary_lengths(const model::Model& model) {
   return share;
 }
 
-void add_weight(const casefile::Scene& scene, BuiltSpan& built) {
-  const double weight = *casefile::mass_per_length(scene) * gravity;
-  for (std::size_t e = 0; e < built.model.elements.size(); ++e) {
-    for (std::size_t node : {e, e + 1}) {
-      const double share = weight * built.model.elements[e].length / 2;
-      built.model.loads.push_back({.node = node, .force = {0, -share, 0}, .dead = true});
-      built.load_of.push_back(scene.loads.size());  // none of them
-    }
-  }
-}
-
 /// The span moves in the plane of x and y only; then so does what acts on it.
 void refuse_out_of_plane(const casefile::Scene& scene, double out_of_plane, const std::string& key, bool turns) {
   if (scene.span->dimension == casefile::Dimension::spatial || out_of_plane == 0) return;
@@ -149,7 +138,30 @@ void add_loads(const casefile::Scene& scene, BuiltSpan& built) {
     const std::vector<double> share = tributary_lengths(built.model);
     for (std::size_t i = 0; i < share.size(); ++i) add(i, share[i]);
   }
-  if (scene.span->gravity) add_weight(scene, built);
+}
+
+void add_weight(const casefile::Scene& scene, BuiltSpan& built) {
+  model::Model& model = built.model;
+  const double weight = *casefile::mass_per_length(scene) * gravity;
+  const double pull = wind_load(scene);
+  const auto add = [&](std::size_t node, const Eigen::Vector3d& force) {
+    model.loads.push_back({.node = node, .force = force, .dead = true});
+    built.load_of.push_back(scene.loads.size());  // none of them
+  };
+  for (std::size_t e = 0; e < model.elements.size(); ++e) {
+    const double share = model.elements[e].length / 2;
+    for (std::size_t node : {e, e + 1}) add(node, {0, -weight * share, pull * share});
+  }
+  for (const model::Body& body : model.bodies) {
+    if (body.mass > 0) add(body.node, {0, -gravity * body.mass, 0});
+  }
+  for (const casefile::DamperKeys& damper : scene.dampers) {
+    double hung = 0;  // its clamp is a body
+    for (std::size_t i = 0; i < damper.lengths.size(); ++i) {
+      hung += damper.masses[i] + *damper.messenger->mass_per_length * damper.lengths[i];
+    }
+    add(model::nearest_node(model, damper.at), {0, -gravity * hung, 0});
+  }
 }
 
 void add_motions(const casefile::Scene& scene, BuiltSpan& built) {

@@ -1,5 +1,6 @@
 #include "strandyn/build/dampers.hpp"
 
+#include "strandyn/build/section_law.hpp"
 #include "strandyn/section/linear_law.hpp"
 
 namespace strandyn::build {
@@ -15,11 +16,23 @@ std::vector<damper::HangingArm> arms_of(const casefile::DamperKeys& keys) {
 }
 
 damper::Messenger messenger_of(const casefile::DamperKeys& keys) {
-  const double EI = keys.messenger->bending_stiffness;
+  const casefile::MessengerKeys& messenger = *keys.messenger;
+  const double mass = *messenger.mass_per_length;
+  if (messenger.strand) {
+    casefile::Scene scene;
+    scene.conductor = messenger.strand;
+    scene.section.law = messenger.law;
+    scene.section.points = messenger.points;
+    const double EI = section_numbers(scene).EI_max;
+    return {.law = build_law(scene, section::Dimension::planar),
+            .mass_per_length = mass,
+            .material = section::material_loss({0, 0, EI, EI}, messenger.loss_factor)};
+  }
+  const double EI = *messenger.bending_stiffness;
   const section::LinearStiffness stiffness{.EA = 0, .GJ = 0, .C_AT = 0, .EI = EI};
   return {.law = std::make_shared<section::LinearLaw>("elastic", section::Dimension::planar, stiffness),
-          .mass_per_length = keys.messenger->mass_per_length,
-          .material = section::material_loss({0, 0, EI, EI}, keys.messenger->loss_factor)};
+          .mass_per_length = mass,
+          .material = section::material_loss({0, 0, EI, EI}, messenger.loss_factor)};
 }
 
 }  // namespace strandyn::build

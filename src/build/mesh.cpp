@@ -59,6 +59,11 @@ std::vector<double> stations(const casefile::Scene& scene) {
   }
   for (const casefile::Body& body : scene.bodies) at.push_back(body.at);
   for (const casefile::DamperKeys& damper : scene.dampers) at.push_back(damper.at);
+  for (const casefile::StretchKeys& stretch : scene.span->stretches) {
+    for (const double end : {stretch.from, stretch.to}) {
+      if (end > 0 && end < *scene.span->length) at.push_back(end);
+    }
+  }
   std::visit(
       [&](const auto& analysis) {
         if constexpr (requires { analysis.probes; })

@@ -16,6 +16,9 @@ void add_loads(const casefile::Scene& scene, BuiltSpan& built);
 void add_motions(const casefile::Scene& scene, BuiltSpan& built);
 void add_bodies(const casefile::Scene& scene, BuiltSpan& built);
 
+/// The weight of a chain with all that it carries (bodies, dampers, armour rods), and the pull of a steady wind.
+void add_weight(const casefile::Scene& scene, BuiltSpan& built);
+
 /// What sets the length of a straight span without load.
 struct Stringing {
   double tension = 0;                  ///< [N] horizontal component where it hangs
@@ -30,6 +33,14 @@ struct Stretch {
   Stringing stringing;
 };
 std::vector<Stretch> stretches_of(const casefile::Scene& scene, double EA);
+
+/// [N] of the section at a place [m] along the span.
+double axial_stiffness_at(const casefile::Scene& scene, const SectionNumbers& numbers, double place);
+/// Sections and masses of the stretches, of a chain that is laid out and has the law of the case.
+void add_stretches(const casefile::Scene& scene, model::Model& model);
+
+/// [N/m] the pull of a steady wind across the line.
+double wind_load(const casefile::Scene& scene);
 
 /// `hanging` and `straight` of a chain under gravity.
 void add_hanging_shape(const casefile::Scene& scene, const SectionNumbers& numbers, BuiltSpan& built);

@@ -80,13 +80,15 @@ void lay_out_straight(const casefile::Scene& scene, const SectionNumbers& number
   model::StraightSpan straight{.positions = mesh_positions(scene, numbers, built),
                                .strain = built.length / stringing.unstressed_length - 1,
                                .direction = chord / built.length};
-  if (stretches.size() > 1) {
+  if (stretches.size() > 1 || !span.stretches.empty()) {
     std::size_t stretch = 0;
     for (std::size_t e = 0; e + 1 < straight.positions.size(); ++e) {
       const double middle = (straight.positions[e] + straight.positions[e + 1]) / 2;
       while (middle > stretches[stretch].to) ++stretch;
       const Stretch& here = stretches[stretch];
-      straight.strains.push_back((here.to - here.from) / here.stringing.unstressed_length - 1);
+      const double strain = (here.to - here.from) / here.stringing.unstressed_length - 1;
+      // One tension: another conductor stretches by another strain.
+      straight.strains.push_back(strain * numbers.EA / axial_stiffness_at(scene, numbers, middle));
     }
   }
   model::lay_out(built.model, straight);
@@ -158,6 +160,8 @@ BuiltSpan build_span(const casefile::Scene& scene) {
   add_loads(scene, built);
   add_motions(scene, built);
   add_bodies(scene, built);
+  add_stretches(scene, built.model);
+  if (scene.span->gravity) add_weight(scene, built);
   built.model.wind = wind_of(scene, built.model);
   std::ranges::move(air_that_moves_along(built.model), std::back_inserter(built.model.bodies));
   built.damping = damping_of(scene, built);

@@ -76,12 +76,8 @@ std::vector<model::Body> air_that_moves_along(const model::Model& model) {
   std::vector<model::Body> bodies;
   const auto* wake = model.wind ? std::get_if<model::WakeWind>(&*model.wind) : nullptr;
   if (!wake || wake->wake.added_mass == 0) return bodies;
-  bodies.resize(model.nodes.size());
-  for (std::size_t node = 0; node < bodies.size(); ++node) bodies[node].node = node;
-  for (std::size_t e = 0; e < model.elements.size(); ++e) {
-    for (const std::size_t node : {e, e + 1}) {
-      bodies[node].mass += wake->wake.mass_of_air() * model.elements[e].length / 2;
-    }
+  for (const double length : model::node_lengths(model)) {
+    bodies.push_back({.node = bodies.size(), .mass = wake->wake.mass_of_air() * length});
   }
   return bodies;
 }

@@ -161,6 +161,7 @@ void keys(V& v, Scene& s) {
   v.tables("wind", s.winds, {.help = "the wind across the span, in a run in time"});
   v.table("material", s.material, {.help = "damping of the metal of the wires"});
   v.table("clamps", s.clamps, {.help = "what the wires feel beside clamped supports"});
+  v.table("output", s.output, {.help = "the moving span as a file for other programs, of a run in time"});
   v.table("static", s.static_, {.help = "static equilibrium"});
   v.table("integrator", s.integrator, {.help = "the integration in time"});
   v.table("analysis", s.analysis, {.help = "what is computed", .required = true});

@@ -29,6 +29,30 @@ void keys(V& v, SuspensionKeys& s) {
 }
 
 template <class V>
+void keys(V& v, ArmourKeys& a) {
+  v.number("rods", a.rods, {.help = "the number of rods", .at_least = 1, .at_most = 100, .required = true});
+  v.number("diameter_mm", a.diameter,
+           {.help = "the diameter of a rod", .unit = units::mm, .above = 0, .required = true});
+  v.number("young_GPa", a.young, {.help = "Young's modulus", .unit = units::GPa, .above = 0});
+  v.number("density_kg_per_m3", a.density, {.help = "the density", .unit = units::kg_per_m3, .above = 0});
+  v.flag("bonded", a.bonded,
+         {.help = "whether the rods keep one plane section, or bend each about its own axis and slide: the two bounds "
+                  "of their stiffness"});
+}
+
+template <class V>
+void keys(V& v, StretchKeys& s) {
+  v.number(
+      "from_m", s.from,
+      {.help = "where the stretch begins, from the left support", .unit = units::m, .at_least = 0, .required = true});
+  v.number("to_m", s.to,
+           {.help = "where the stretch ends, from the left support", .unit = units::m, .above = 0, .required = true});
+  v.one_of({"conductor", "armour_rods"}, {.required = true});
+  v.table("conductor", s.conductor, {.help = "the conductor of this stretch, in place of that of the case"});
+  v.table("armour_rods", s.armour, {.help = "rods around the conductor, which stiffen it and weigh"});
+}
+
+template <class V>
 void keys(V& v, Span& s) {
   v.one_of({"length_m", "nodes_m"}, {.required = true});
   v.number("length_m", s.length, {.help = "the distance between the supports", .unit = units::m, .above = 0});
@@ -48,6 +72,7 @@ void keys(V& v, Span& s) {
   v.choice("left", s.left, {.help = "the left support (guided: held but for displacements along the span)"});
   v.choice("right", s.right, {.help = "the right support (guided: held but for displacements along the span)"});
   v.tables("support", s.supports, {.help = "suspensions between the ends: a line of several spans"});
+  v.tables("stretch", s.stretches, {.help = "parts of the span with a section of their own"});
   v.choice("dimension", s.dimension, {.help = "whether the span moves in the plane of x and y only"});
   v.flag("torsion", s.torsion, {.help = "whether the span twists"});
   v.flag("gravity", s.gravity, {.help = "whether gravity acts, against y"});
@@ -58,6 +83,12 @@ void keys(V& v, Span& s) {
   v.number("expansion_per_K", s.expansion,
            {.help = "the coefficient of thermal expansion (that of the wires unless given)", .at_least = 0});
   v.number("ice_kg_per_m", s.ice, {.help = "the mass of ice on the conductor", .unit = units::kg_per_m, .at_least = 0});
+  v.number("wind_m_per_s", s.wind,
+           {.help = "the speed of a steady wind across the line, along z: its drag swings a hanging span out",
+            .unit = units::m_per_s,
+            .at_least = 0});
+  v.number("drag_coefficient", s.drag_coefficient,
+           {.help = "the drag coefficient of the conductor in that wind", .above = 0});
   v.choice("mass", s.mass, {.help = "the mass matrix"});
   v.flag("rotary_inertia", s.rotary_inertia, {.help = "whether cross sections resist rotation by inertia"});
   v.flag(

@@ -6,8 +6,12 @@
 namespace strandyn::casefile {
 
 /// Fills conductor.strand from the layers, and the layers' derived keys from the strand, so that an echo shows them.
-/// Throws InputError at the layer that no strand can have.
-void resolve_conductor(Conductor& conductor, const Source& source);
+/// Throws InputError at the layer that no strand can have. `path` is where the table stands.
+void resolve_conductor(Conductor& conductor, const Source& source, const std::string& path = "conductor");
+
+/// Fills the conductors of the stretches; refuses stretches that do not fit the span, and what this version does not
+/// know of a span with two conductors.
+void resolve_stretches(Scene& scene);
 
 /// Fills the directions of loads, motions and bodies; refuses places outside the span, directions that it cannot
 /// follow, histories that step back.

@@ -8,9 +8,13 @@
 namespace strandyn::casefile {
 namespace {
 
-std::string layer_path(std::size_t j) {
-  return fmt::format("conductor.layer[{}]", j);
-}
+/// Where the case says what it says: the source, and the path of the table there.
+struct At {
+  const Source& source;
+  const std::string& path;
+
+  std::string layer(std::size_t j) const { return fmt::format("{}.layer[{}]", path, j); }
+};
 
 conductor::Layer layer_of(const LayerKeys& keys) {
   conductor::Layer layer;
@@ -38,13 +42,13 @@ double friction_below(const Conductor& conductor, std::size_t j) {
   return conductor.friction;
 }
 
-void resolve_lay(const LayerKeys& keys, conductor::Layer& layer, std::size_t j, const Source& source) {
+void resolve_lay(const LayerKeys& keys, conductor::Layer& layer, std::size_t j, const At& at) {
   if (j == 0 && (keys.lay_length || keys.lay_ratio)) {
-    refuse(source, layer_path(j) + (keys.lay_length ? ".lay_length_mm" : ".lay_ratio"), "is a lay of the core",
+    refuse(at.source, at.layer(j) + (keys.lay_length ? ".lay_length_mm" : ".lay_ratio"), "is a lay of the core",
            "remove it: the core is straight");
   }
   if (j > 0 && !keys.lay_angle && !keys.lay_length && !keys.lay_ratio) {
-    refuse(source, layer_path(j), "its lay is missing",
+    refuse(at.source, at.layer(j), "its lay is missing",
            "give lay_angle_deg, lay_length_mm or lay_ratio, 0 degrees for straight wires");
   }
   if (keys.lay_ratio) {
@@ -53,27 +57,28 @@ void resolve_lay(const LayerKeys& keys, conductor::Layer& layer, std::size_t j, 
   }
   if (!keys.lay_length) return;
   if (*keys.lay_length == 0) {
-    refuse(source, layer_path(j) + ".lay_length_mm", "must not be 0",
+    refuse(at.source, at.layer(j) + ".lay_length_mm", "must not be 0",
            "give the length of one turn in millimetres, negative for a left-hand lay");
   }
   layer.lay_angle = conductor::lay_angle_from_length(layer.helix_radius, *keys.lay_length);
 }
 
-void refuse_impossible_strand(const conductor::Strand& strand, const Source& source) {
+void refuse_impossible_strand(const conductor::Strand& strand, const At& at) {
   conductor::Strand inner;
   for (std::size_t j = 0; j < strand.layers.size(); ++j) {
     inner.layers.push_back(strand.layers[j]);
     const auto fault = conductor::find_fault(inner);
     if (!fault) continue;
     const std::size_t remedy = fault->find("; ");  // some faults name their own
-    refuse(source, layer_path(j), fault->substr(0, remedy),
+    refuse(at.source, at.layer(j), fault->substr(0, remedy),
            remedy == std::string::npos ? "correct this layer" : fault->substr(remedy + 2));
   }
 }
 
 }  // namespace
 
-void resolve_conductor(Conductor& conductor, const Source& source) {
+void resolve_conductor(Conductor& conductor, const Source& source, const std::string& path) {
+  const At at{source, path};
   conductor::Strand& strand = conductor.strand;
   strand.name = conductor.catalogue.value_or(conductor.title.value_or("own conductor"));
   for (const LayerKeys& keys : conductor.layers) strand.layers.push_back(layer_of(keys));
@@ -81,12 +86,12 @@ void resolve_conductor(Conductor& conductor, const Source& source) {
   Refusals refusals;
   for (std::size_t j = 0; j < strand.layers.size(); ++j) {
     conductor::Layer& layer = strand.layers[j];
-    refusals.hold([&] { resolve_lay(conductor.layers[j], layer, j, source); });
+    refusals.hold([&] { resolve_lay(conductor.layers[j], layer, j, at); });
     layer.friction_inner = friction_below(conductor, j);
     if (!conductor.residual_forces) layer.residual_force = 0;
   }
   refusals.pass_on();
-  refuse_impossible_strand(strand, source);
+  refuse_impossible_strand(strand, at);
   strand.rated_strength = conductor.rated_strength.value_or(0.0);
   if (!conductor.mass_per_length) conductor.mass_per_length = strand.geometric_mass();
   strand.mass_per_length = conductor.mass_per_length.value_or(0.0);

@@ -59,6 +59,18 @@ void check_lists(const DamperKeys& damper, const std::string& path, const Source
   }
 }
 
+void resolve_messenger(MessengerKeys& messenger, const std::string& path, const Source& source) {
+  if (messenger.strand) {
+    if (!needs_strand(messenger.law)) {
+      refuse(source, path + ".law", fmt::format("\"{}\" knows no wires", name_of(messenger.law)),
+             "use a law of strands such as \"return-map\", or EI_N_m2 in place of conductor");
+    }
+    resolve_conductor(*messenger.strand, source, path + ".conductor");
+    if (!messenger.mass_per_length) messenger.mass_per_length = messenger.strand->strand.mass_per_length;
+  }
+  messenger.mass_per_length = messenger.mass_per_length.value_or(0);
+}
+
 /// `length` [m]: of the span, where it is known.
 void resolve_damper(DamperKeys& damper, const std::string& path, const Source& source, std::optional<double> length) {
   if (damper.catalogue) {
@@ -68,6 +80,7 @@ void resolve_damper(DamperKeys& damper, const std::string& path, const Source& s
   } else if (damper.offsets.empty()) {
     damper.offsets.assign(damper.lengths.size(), 0.0);
   }
+  resolve_messenger(*damper.messenger, path + ".messenger", source);
   damper.clamp_mass = damper.clamp_mass.value_or(0);
   check_lists(damper, path, source);
   if (length && damper.at > *length) {
@@ -94,6 +107,10 @@ void resolve_in_balance(EnergyBalanceKeys& balance, const std::string& path, con
   for (std::size_t i = 0; i < balance.dampers.size(); ++i) {
     const std::string damper = fmt::format("{}.damper[{}]", path, i);
     resolve_damper(balance.dampers[i], damper, source, balance.span);
+    if (balance.dampers[i].messenger->strand) {
+      refuse(source, damper + ".messenger.conductor", "is a strand, and a balance knows elastic messengers",
+             "give EI_N_m2 and loss_factor, those of the strand at the velocity of its clamp");
+    }
     ++(balance.dampers[i].at < half ? left : right);
     if (left > 1 || right > 1) {
       refuse(source, damper, "is a second damper near one end, and a balance knows one an end",

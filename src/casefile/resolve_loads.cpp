@@ -7,6 +7,7 @@
 
 #include "refusals.hpp"
 #include "resolve.hpp"
+#include "strandyn/math/low_pass.hpp"
 #include "strandyn/results/table.hpp"
 
 namespace strandyn::casefile {
@@ -95,6 +96,35 @@ void read_history(std::optional<std::string>& file, std::optional<double>& begin
   file.reset();
 }
 
+/// Leaves out what is too fast for the steps of a run.
+template <class Acting>
+void cut_off(Acting& acting, const std::string& path, Scene& scene) {
+  std::optional<double>& low_pass = acting.low_pass;
+  History& history = acting.history;
+  if (history.size() < 2) return;
+  double shortest = history.back()[0] - history.front()[0];
+  for (std::size_t i = 1; i < history.size(); ++i) shortest = std::min(shortest, history[i][0] - history[i - 1][0]);
+  const std::optional<double> step = scene.integrator.step_size;
+  constexpr std::size_t sampled = 100;
+  if (!low_pass && step && shortest < *step / 1.5 && history.size() > sampled) {
+    scene.warnings.push_back(fmt::format(
+        "{}: its rows are up to {:.4g} times closer than the steps of {:.4g} s, and what is faster than {:.4g} "
+        "Hz turns up at frequencies where it is not: give low_pass_Hz, or shorter steps",
+        path, *step / shortest, *step, 0.5 / *step));
+  }
+  if (!low_pass) return;
+  if (*low_pass * shortest > 0.5) {
+    refuse(scene.source, path + ".low_pass_Hz",
+           fmt::format("is more than the rows hold, which are {:.4g} s apart at least", shortest),
+           fmt::format("give less than {:.4g} Hz, or remove it", 0.5 / shortest));
+  }
+  const math::Tabulated smooth = math::low_pass(tabulated(history), *low_pass);
+  history.clear();
+  for (std::size_t i = 0; i < smooth.time.size(); ++i) history.push_back({smooth.time[i], smooth.value[i]});
+  low_pass.reset();
+  if (!acting.interpolation) acting.interpolation = Interpolation::smooth;
+}
+
 /// Makes a unit vector of the direction, which must stay in the plane of a planar span.
 void resolve_direction(std::optional<Vector3>& direction, bool is_rotation, const std::string& path,
                        const Scene& scene) {
@@ -121,6 +151,7 @@ void resolve_load(Load& load, const std::string& path, Scene& scene) {
   read_history(load.history_file, load.history_begins, load.history_is_moment ? moment : force, load.history, path,
                scene);
   check_history(load.history, false, path, scene);
+  cut_off(load, path, scene);
   if (load.type == LoadType::table && !load.interpolation) load.interpolation = Interpolation::linear;
 }
 
@@ -147,6 +178,7 @@ void resolve_motion(Motion& motion, const std::string& path, Scene& scene) {
   read_history(motion.history_file, motion.history_begins, motion.history_is_rotation ? turn : shift, motion.history,
                path, scene);
   check_history(motion.history, false, path, scene);
+  cut_off(motion, path, scene);
   if (motion.type == MotionType::table && !motion.interpolation) {
     motion.interpolation = is_sampled(motion.history) ? Interpolation::smooth : Interpolation::linear;
   }

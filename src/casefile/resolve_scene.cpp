@@ -143,10 +143,6 @@ void check_suspensions(const Scene& scene) {
              "give the suspensions from left to right, between the ends");
     }
     last = support.at;
-    if (!support.tension) continue;
-    const bool beside_string = (i > 0 && span.supports[i - 1].type == Suspension::string) ||
-                               (i + 1 < span.supports.size() && span.supports[i + 1].type == Suspension::string);
-    if (beside_string && !span.gravity) continue;
   }
 }
 
@@ -174,6 +170,14 @@ void check_span(const Scene& scene) {
   } else if (!span.tension && !span.tension_rts && !span.unstressed_length && !sets_tension(scene.analysis)) {
     refuse(scene.source, "span", "its tension is missing",
            "give exactly one of tension_kN (0 for none), tension_rts, unstressed_length_m");
+  }
+  if (span.wind > 0 && (!span.gravity || span.dimension == Dimension::planar || span.height_difference != 0)) {
+    refuse(scene.source, "span.wind_m_per_s", "swings a hanging, level span out of its plane",
+           "give gravity = true, dimension = \"spatial\" and no height_difference_m, or remove it");
+  }
+  if (span.wind > 0 && !scene.conductor) {
+    refuse(scene.source, "span.wind_m_per_s", "meets the diameter of a conductor, and there is none",
+           "give [conductor], or remove it");
   }
   check_suspensions(scene);
   check_strain(scene);
@@ -327,13 +331,22 @@ void check_criteria(const Scene& scene) {
   refusals.pass_on();
 }
 
+void check_output(const Scene& scene) {
+  if (!scene.output) return;
+  if (scene.is<DecayAnalysis>() || scene.is<ForcedAnalysis>() || scene.is<TransientAnalysis>()) return;
+  refuse(scene.source, "output",
+         fmt::format("writes a span that moves in time, not that of analysis.type = \"{}\"", word_of(scene.analysis)),
+         "remove the table, or choose \"decay\", \"forced\" or \"transient\"");
+}
+
 /// What needs a sound conductor and a sound span to be told from a consequence of either.
 void check_on_span(Scene& scene, Refusals& refusals) {
   refusals.hold([&] { resolve_loads(scene); });
   refusals.hold([&] { resolve_dampers(scene); });
+  refusals.hold([&] { resolve_stretches(scene); });
   refusals.hold([&] { fill_laboratory_grid(scene); });
   for (const auto check : {check_analysis, check_static, check_transient, check_periodic, check_sweep, check_losses,
-                           check_wind, check_self_damping, check_accuracy}) {
+                           check_wind, check_self_damping, check_accuracy, check_output}) {
     refusals.hold([&] { check(scene); });
   }
 }

@@ -98,6 +98,14 @@ std::vector<double> arc_lengths(const Model& model) {
   return s;
 }
 
+std::vector<double> node_lengths(const Model& model) {
+  std::vector<double> lengths(model.nodes.size(), 0.0);
+  for (std::size_t e = 0; e < model.elements.size(); ++e) {
+    for (const std::size_t node : {e, e + 1}) lengths[node] += model.elements[e].length / 2;
+  }
+  return lengths;
+}
+
 std::size_t nearest_node(const Model& model, double position) {
   const std::vector<double> s = arc_lengths(model);
   const auto nearest = std::min_element(

@@ -23,7 +23,7 @@ InputError refusal(const Figure& figure, std::string_view fault) {
 }
 
 void check(const Figure& figure, const Table& table) {
-  constexpr std::array<std::string_view, 5> kinds = {"line", "band", "map", "section", "motion"};
+  constexpr std::array<std::string_view, 6> kinds = {"line", "points", "band", "map", "section", "motion"};
   if (std::find(kinds.begin(), kinds.end(), figure.kind) == kinds.end()) {
     throw refusal(figure, fmt::format("is of the kind '{}'; there are {}", figure.kind, fmt::join(kinds, ", ")));
   }
@@ -207,11 +207,15 @@ void add_lines(const Figure& figure, const Table& table, const std::vector<std::
     for (std::size_t i = 0; i < columns.size(); ++i) {
       Series line{.x = values_of(table, figure.x, own_rows), .y = values_of(table, columns[i], own_rows)};
       if (band) line.low = values_of(table, figure.y[0], own_rows);
-      line.markers = !band && line.x.size() <= few_points;
+      line.line = figure.kind != "points";
+      line.markers = !line.line || (!band && line.x.size() <= few_points);
       if (std::find(named.begin(), named.end(), group) != named.end()) {
         const std::string own = band ? "" : names.of_lines[i];
         const bool both = !own.empty() && !group_names[group].empty();
         line.name = own + (both ? ", " : "") + group_names[group];
+        // A fit is the dashed line beside its points, in every group.
+        const bool fit = columns.size() == 2 && says(columns[1], "fitted") && groups.size() > 1;
+        if (fit) line.name = i == 0 ? group_names[group] : "";
       }
       lines.push_back(std::move(line));
     }

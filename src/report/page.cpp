@@ -11,6 +11,7 @@
 #include "strandyn/report/figures.hpp"
 #include "strandyn/report/format.hpp"
 #include "strandyn/report/html.hpp"
+#include "strandyn/report/interactive.hpp"
 #include "strandyn/report/shown.hpp"
 #include "strandyn/report/svg_plot.hpp"
 #include "strandyn/results/folder.hpp"
@@ -60,6 +61,12 @@ std::string key_numbers(const RunFolder& run) {
   return cards.empty() ? "" : section("Key numbers", "<dl class=\"cards\">\n" + cards + "</dl>\n");
 }
 
+std::string findings(const RunFolder& run) {
+  std::string items;
+  for (const std::string& finding : run.findings) items += fmt::format("<p>{}</p>\n", escaped(finding));
+  return items.empty() ? "" : "<section class=\"findings\">\n<h2>What was found</h2>\n" + items + "</section>\n";
+}
+
 /// Why the run ended early, and what it warns of.
 std::string warnings(const RunFolder& run) {
   std::string items;
@@ -73,13 +80,14 @@ std::string warnings(const RunFolder& run) {
 
 std::string plots(const std::vector<Drawing>& drawings) {
   std::string body;
-  for (const auto& [figure, drawn] : drawings) {
+  for (std::size_t i = 0; i < drawings.size(); ++i) {
+    const auto& [figure, drawn] = drawings[i];
     // Two stand side by side on the page: drawn smaller, so that their text keeps its size.
     Plot plot = drawn;
     plot.width = 500;
     plot.height = 310;
-    body += fmt::format("<figure>\n<h3>{}</h3>\n{}<figcaption>{}</figcaption>\n</figure>\n", escaped(figure->title),
-                        svg(plot, SvgUse::inside_page), escaped(figure->caption));
+    body += fmt::format("<figure data-plot=\"{}\">\n<h3>{}</h3>\n{}<figcaption>{}</figcaption>\n</figure>\n", i,
+                        escaped(figure->title), svg(plot, SvgUse::inside_page), escaped(figure->caption));
   }
   return body.empty() ? "" : section("Plots", "<div class=\"figures\">\n" + body + "</div>\n");
 }
@@ -147,16 +155,21 @@ std::string the_case(const RunFolder& run) {
 }
 
 std::string page(RunFolder& run, const std::vector<Drawing>& drawings) {
+  std::vector<PagePlot> shown;
+  for (const auto& [figure, plot] : drawings) {
+    shown.push_back({.name = figure->name, .plot = &plot, .moves = figure->kind == "motion"});
+  }
   return fmt::format(
              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
              "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
              "<meta name=\"color-scheme\" content=\"light dark\">\n"
              "<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n<main>\n",
              title_of(run), page_style()) +
-         header(run) + key_numbers(run) + warnings(run) + plots(drawings) + shown_tables(run) + other_results(run) +
-         section("The cross section", html_of_object(run.section, {})) + the_case(run) +
+         header(run) + findings(run) + warnings(run) + key_numbers(run) + plots(drawings) + shown_tables(run) +
+         other_results(run) + section("The cross section", html_of_object(run.section, {})) + the_case(run) +
          section("What it cost", html_of_object(run.cost, {})) +
-         section("The program", html_of_object(run.program, {})) + "</main>\n</body>\n</html>\n";
+         section("The program", html_of_object(run.program, {})) + "</main>\n" + interactive(shown) +
+         "</body>\n</html>\n";
 }
 
 }  // namespace

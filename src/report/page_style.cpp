@@ -48,6 +48,7 @@ dl:not(.cards) dd { text-align: right; }
 .cards dt { font-size: 13px; }
 .cards dd { margin-top: 2px; white-space: nowrap; font-size: 21px; line-height: 1.3; font-weight: 600; letter-spacing: -.01em; }
 .cards .unit { font-size: 14px; letter-spacing: 0; }
+.findings p { margin: 0 0 8px; max-width: 80ch; font-size: 16px; }
 .warnings { background: var(--warn-paper); border: 1px solid var(--warn-line); border-radius: 10px; padding: 15px 20px; }
 .warnings h2 { font-size: 15px; margin-bottom: 6px; color: var(--warn); }
 .warnings ul { margin: 0; padding-left: 18px; }
@@ -55,6 +56,7 @@ dl:not(.cards) dd { text-align: right; }
 figure { margin: 0; padding: 18px 20px 14px; break-inside: avoid; }
 figcaption { margin-top: 8px; color: var(--muted); font-size: 13px; line-height: 1.45; }
 .plot { display: block; width: 100%; height: auto; }
+.drawn .plot { display: none; }
 .plot text { fill: var(--muted); font-family: inherit; font-size: 12.5px; }
 .plot .tick { font-size: 12px; font-variant-numeric: tabular-nums; }
 .plot .grid { stroke: var(--line); }
@@ -81,12 +83,17 @@ th .unit { display: block; }
   section > dl:not(.cards), .cards-of-case { columns: 1; }
 }
 @media print {
+  .drawn .plot { display: block; }
+  .live { display: none; }
   body { font-size: 10.5pt; }
   main { max-width: none; padding: 0; }
   section { margin-top: 22pt; }
   h2 { break-after: avoid; }
   .figures { grid-template-columns: 1fr 1fr; }
   .scroll { overflow: visible; }
+  table { font-size: 7.5pt; table-layout: auto; }
+  th, td { white-space: normal; overflow-wrap: anywhere; padding-left: 5px; }
+  .narrow { min-width: 0; }
   tr { break-inside: avoid; }
 }
 )css";

@@ -22,6 +22,8 @@ double text_width(std::string_view text, double size);
 /// A coordinate with two decimals at most.
 std::string px(double value);
 
+/// "#rrggbb"; empty for the ink, which is the page's.
+std::string_view colour_of(const Series& series);
 /// Attributes that paint a line or a shape in the colour of the series.
 std::string painted(const Series& series, std::string_view attribute);
 
@@ -44,6 +46,8 @@ class Scale {
   double of_shown(double value) const;
   /// Pixel of zero, or of the end nearest to it.
   double base() const;
+  /// By which values of the data are divided before they are shown: that of the unit's prefix.
+  double factor() const { return prefix_.factor; }
   bool zero_inside() const { return !log_ && range_.low < 0 && range_.high > 0; }
 
   std::string title;
@@ -58,6 +62,8 @@ class Scale {
 };
 
 bool is_shown(double value, const Axis& axis);
+/// Those points that the axes can show.
+std::vector<Point> shown_points(const std::vector<double>& x, const std::vector<double>& y, const Plot& plot);
 
 /// What the axis has to hold; never empty, never of no width.
 Range data_range(const std::vector<std::vector<Point>>& all, const Axis& axis, double Point::*coordinate);

@@ -37,9 +37,13 @@ std::string px(double value) {
   return text == "-0" ? "0" : text;
 }
 
-std::string painted(const Series& series, std::string_view attribute) {
+std::string_view colour_of(const Series& series) {
   const std::string_view own = series.custom_colour;
-  const std::string_view colour = own.empty() ? hex_colours[static_cast<std::size_t>(series.colour)] : own;
+  return own.empty() ? hex_colours[static_cast<std::size_t>(series.colour)] : own;
+}
+
+std::string painted(const Series& series, std::string_view attribute) {
+  const std::string_view colour = colour_of(series);
   if (!colour.empty()) return fmt::format("{}=\"{}\"", attribute, colour);
   return attribute == "fill" ? "class=\"ink-fill\"" : "class=\"ink\"";
 }

@@ -33,15 +33,6 @@ constexpr std::string_view standalone_style =
     ".plot .ink-fill{fill:#737c87}"
     "</style>";
 
-/// Points of the series that the axes can show.
-std::vector<Point> shown_points(const std::vector<double>& x, const std::vector<double>& y, const Plot& plot) {
-  std::vector<Point> points;
-  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
-    if (is_shown(x[i], plot.x) && is_shown(y[i], plot.y)) points.push_back({x[i], y[i]});
-  }
-  return points;
-}
-
 std::vector<Point> pixels_of(const std::vector<Point>& points, const Scale& x, const Scale& y) {
   std::vector<Point> pixels;
   for (const Point& point : points) pixels.push_back({x(point.x), y(point.y)});

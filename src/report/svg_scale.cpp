@@ -53,6 +53,14 @@ bool is_shown(double value, const Axis& axis) {
   return std::isfinite(value) && (!axis.log || value > 0);
 }
 
+std::vector<Point> shown_points(const std::vector<double>& x, const std::vector<double>& y, const Plot& plot) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (is_shown(x[i], plot.x) && is_shown(y[i], plot.y)) points.push_back({x[i], y[i]});
+  }
+  return points;
+}
+
 Range data_range(const std::vector<std::vector<Point>>& all, const Axis& axis, double Point::*coordinate) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const auto& points : all) {

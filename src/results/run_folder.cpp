@@ -135,9 +135,11 @@ RunFolder read_run_folder(const std::filesystem::path& path) {
   const Value* type = at(run.the_case, {"analysis", "type"});
   if (type && type->words()) run.analysis = *type->words();
   run.facts = facts_of(run.the_case);
-  const Value warnings = summary.take("warnings");
-  for (const Value& warning : warnings.entries()) {
-    run.warnings.push_back(warning.words() ? *warning.words() : to_text(warning, -1));
+  for (const auto& [key, sentences] : {std::pair{"findings", &run.findings}, std::pair{"warnings", &run.warnings}}) {
+    const Value found = summary.take(key);
+    for (const Value& sentence : found.entries()) {
+      sentences->push_back(sentence.words() ? *sentence.words() : to_text(sentence, -1));
+    }
   }
   run.highlights = summary.take_records<Highlight>(
       "highlights", [](const Highlight& h) { return !h.name.empty() && !h.path.empty(); });

@@ -28,10 +28,20 @@ std::vector<double> bending_force(const std::vector<double>& q, double step, dou
   return middle;
 }
 
-/// A layer from its gradients; `f_int_outside` enters as the load of the layer outside and leaves as this one's own.
-LayerState layer_state(const PlanarCoefficients::Layer& layer, std::vector<double> q, double axial_force,
-                       double neutral, double& f_int_outside) {
+/// [N/m^2] k_w = EA_w (sin(a)/R)^2, from what the march keeps of a wire.
+double stiffness_against_slip(const PlanarCoefficients::Layer& layer, std::size_t points) {
+  const double sine = layer.k / layer.force_per_strain;
+  const double EA = layer.force_per_strain / (1 - sine * sine);
+  const double turn = 2 * std::numbers::pi / static_cast<double>(points) / (2 * layer.half_step);
+  return EA * turn * turn;
+}
+
+/// A layer from its gradients and what each angle sees of the curvature; `f_int_outside` enters as the load of the
+/// layer outside and leaves as this one's own.
+LayerState layer_state(const PlanarCoefficients::Layer& layer, std::vector<double> q, const std::vector<double>& e,
+                       double axial_force, double neutral, double& f_int_outside) {
   LayerState s;
+  const double k_w = stiffness_against_slip(layer, q.size());
   s.f_ext = layer.next_layer_ratio * f_int_outside;
   const double outer = layer.c_ext * s.f_ext;
   const std::vector<double> bending = bending_force(q, 2 * layer.half_step, neutral);
@@ -44,6 +54,7 @@ LayerState layer_state(const PlanarCoefficients::Layer& layer, std::vector<doubl
     s.limit.push_back(limit);
     s.slips.push_back(std::abs(q[i]) >= (1 - 1e-9) * limit);
     s.inner_load.push_back(inner * layer.inverse_c_int);
+    s.slip.push_back((layer.k * e[i] - q[i]) / k_w);
     sum += bending[i];
   }
   s.gradient = std::move(q);
@@ -60,6 +71,13 @@ std::vector<double> midpoints(std::size_t points) {
     theta.push_back((static_cast<double>(i) + 0.5) * 2 * std::numbers::pi / static_cast<double>(points));
   }
   return theta;
+}
+
+/// [1/m] cos(theta) chi2 + sin(theta) chi3.
+std::vector<double> seen_by_angles(const std::vector<double>& theta, double chi2, double chi3) {
+  std::vector<double> e;
+  for (const double angle : theta) e.push_back(std::cos(angle) * chi2 + std::sin(angle) * chi3);
+  return e;
 }
 
 /// One number of one point in a block of the history.
@@ -82,6 +100,7 @@ WireState SpatialReturnMap::wires(const History& history, const Field&, std::siz
   const double d3 = row[committed_chi3] - row[reference_chi3];
   WireState state;
   state.theta = midpoints(static_cast<std::size_t>(c.points));
+  const std::vector<double> e = seen_by_angles(state.theta, row[committed_chi2], row[committed_chi3]);
   double f_int = 0;
   for (std::size_t j = 0; j < c.layers.size(); ++j) {
     const SpatialCoefficients::Layer& layer = c.layers[j];
@@ -92,7 +111,7 @@ WireState SpatialReturnMap::wires(const History& history, const Field&, std::siz
     }
     const double axial_force =
         layer.force_per_strain * row[committed_eps] + layer.force_per_twist * row[committed_twist];
-    state.layers.push_back(layer_state(layer, std::move(q), axial_force, row[neutral], f_int));
+    state.layers.push_back(layer_state(layer, std::move(q), e, axial_force, row[neutral], f_int));
     state.N_bending += layer.axial_weight * c.points * state.layers.back().mean_bending_force;
     state.M1_bending += layer.torsion_weight * c.points * state.layers.back().mean_bending_force;
   }
@@ -109,6 +128,7 @@ WireState PlanarReturnMap::wires(const History& history, const Field& committed_
   const std::size_t cells = c.cosine.size();
   WireState state;
   state.theta = midpoints(4 * cells);
+  const std::vector<double> e = seen_by_angles(state.theta, row[return_map_kernel::committed_chi], 0);
   double f_int = 0;
   for (std::size_t j = 0; j < c.layers.size(); ++j) {
     const PlanarCoefficients::Layer& layer = c.layers[j];
@@ -121,7 +141,7 @@ WireState PlanarReturnMap::wires(const History& history, const Field& committed_
       q[2 * cells - 1 - i] = -q[i];                           // the mirror images across the plane of bending
       q[2 * cells + i] = -q[4 * cells - 1 - i];
     }
-    state.layers.push_back(layer_state(layer, std::move(q), layer.force_per_strain * eps, 0, f_int));
+    state.layers.push_back(layer_state(layer, std::move(q), e, layer.force_per_strain * eps, 0, f_int));
   }
   std::reverse(state.layers.begin(), state.layers.end());
   return state;

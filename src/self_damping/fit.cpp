@@ -67,12 +67,6 @@ std::optional<LevelRow> level_of(const analysis::PowerLaw& law, const std::vecto
   return level;
 }
 
-analysis::RatedConductor rated_conductor(const Scene& scene) {
-  return {.diameter = scene.conductor->strand.outer_diameter(),
-          .mass_per_length = *casefile::mass_per_length(scene),
-          .rated_strength = scene.conductor->strand.rated_strength};
-}
-
 /// The published exponents, how far the fit lies outside of their band, and the levels where a factor is known.
 PublishedRow published(const Scene& scene, const analysis::PowerLawFit& fit,
                        const std::vector<analysis::SelfDampingPoint>& points) {
@@ -102,6 +96,12 @@ PublishedRow published(const Scene& scene, const analysis::PowerLawFit& fit,
 }
 
 }  // namespace
+
+analysis::RatedConductor rated_conductor(const Scene& scene) {
+  return {.diameter = scene.conductor->strand.outer_diameter(),
+          .mass_per_length = *casefile::mass_per_length(scene),
+          .rated_strength = scene.conductor->strand.rated_strength};
+}
 
 std::optional<std::string> warning_of_common_factor(const Scene& scene) {
   if (!scene.conductor || scene.conductor->strand.rated_strength <= 0) return std::nullopt;

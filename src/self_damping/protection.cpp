@@ -28,8 +28,8 @@ const analysis::PointStiffness& Protection::stiffness(std::size_t damper, double
   sum.force = -omega * omega * *keys.clamp_mass;
   for (const damper::HangingArm& hanging : build::arms_of(keys)) {
     const Eigen::Matrix2cd S = damper::clamp_stiffness(hanging.arm,
-                                                       {.EI = keys.messenger->bending_stiffness,
-                                                        .mass_per_length = keys.messenger->mass_per_length,
+                                                       {.EI = *keys.messenger->bending_stiffness,
+                                                        .mass_per_length = *keys.messenger->mass_per_length,
                                                         .loss_factor = keys.messenger->loss_factor},
                                                        omega);
     const double hand = hanging.side == damper::Side::right ? 1 : -1;

@@ -48,6 +48,15 @@ double sag(const model::Model& model, const Vector& u) {
   return sag;
 }
 
+/// [m] greatest distance along z from the plane of the supports; nothing where none leaves it.
+std::optional<double> swing(const model::Model& model, const Vector& u) {
+  double swing = 0;
+  for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+    swing = std::max(swing, std::abs(model.displacement(u.data(), node).z()));
+  }
+  return swing > 1e-9 * model.unstressed_length() ? std::optional(swing) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Rest> rest_of(const SpanAtRest& span) {
@@ -57,6 +66,7 @@ std::optional<Rest> rest_of(const SpanAtRest& span) {
   if (!span.built.catenary_sag) return rest;
   const Vector force = unbalanced(span, 0);
   rest.sag = sag(model, span.u);
+  rest.swing = swing(model, span.u);
   rest.horizontal_tension = model.displacement(force.data(), model.nodes.size() - 1).x();
   // A line hangs in as many catenaries as it has spans: the largest sag and the tension at its right end are its own.
   if (model.supports.size() > 2) return rest;

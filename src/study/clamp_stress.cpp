@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "strandyn/build/clamp.hpp"
@@ -38,9 +39,49 @@ struct Swing {
 
 /// Of a wire at one place.
 struct WireSwing {
-  Swing axial, outer, inner;  // [Pa]
+  Swing axial, outer, inner;   // [Pa]
+  std::optional<double> slip;  // [m] along the layer below, when last looked at
+  double travel = 0;           // [m] of it in the cycle
   const Swing& larger() const { return outer.amplitude() >= inner.amplitude() ? outer : inner; }
 };
+
+/// Around the lay at the place next to a clamp, and along the span the wire of each layer that swings most.
+void add_figures(const results::Table& map, Outcome& outcome) {
+  const auto &end = map.column("end"), &at = map.column("at_m"), &layer = map.column("layer");
+  const auto &theta = map.column("theta_rad"), &amplitude = map.column("amplitude_Pa");
+  std::map<std::array<double, 3>, double> largest;  // by end, layer, place
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < map.rows(); ++i) {
+    nearest = std::min(nearest, at[i]);
+    double& most = largest[{end[i], layer[i], at[i]}];
+    most = std::max(most, amplitude[i]);
+  }
+  results::Table around({"end", "layer", "theta_rad", "amplitude_Pa"}), along({"end", "layer", "at_m", "largest_Pa"});
+  for (std::size_t i = 0; i < map.rows(); ++i) {
+    if (at[i] == nearest && layer[i] > 0) around.append(std::array{end[i], layer[i], theta[i], amplitude[i]});
+  }
+  for (const auto& [key, most] : largest) along.append(std::array{key[0], key[1], key[2], most});
+  outcome.figures.push_back({.name = "clamp_wires_around",
+                             .title = "Stress of the wires at the clamp",
+                             .kind = "section",
+                             .table = "clamp_wires_around.csv",
+                             .x = "theta_rad",
+                             .y = {"amplitude_Pa"},
+                             .series = {"end", "layer"},
+                             .caption = "Amplitude of the stress of the wires of each layer around the lay, with their "
+                                        "own bending, next to the last point of contact (end 0: left)."});
+  outcome.figures.push_back({.name = "clamp_wires_along",
+                             .title = "Stress of the wires beside the clamp",
+                             .table = "clamp_wires_along.csv",
+                             .x = "at_m",
+                             .y = {"largest_Pa"},
+                             .series = {"end", "layer"},
+                             .caption =
+                                 "The wire of each layer whose stress swings most, by the distance from the last "
+                                 "point of contact."});
+  outcome.tables.push_back({.file = "clamp_wires_around.csv", .table = std::move(around)});
+  outcome.tables.push_back({.file = "clamp_wires_along.csv", .table = std::move(along)});
+}
 
 }  // namespace
 
@@ -102,6 +143,7 @@ class ClampObserver::Clamp {
       const double whole = std::tan(half) / half;
       const conductor::Layer& core = strand.layers.front();
       widen(next(), core.young * eps, core.young * core.diameter / 2 * std::hypot(chi2, chi3));
+      std::vector<double> below(theta_.size(), 0.0);  // [m] slip of the layer below
       for (std::size_t j = 0; j < state.layers.size(); ++j) {
         const conductor::Layer& layer = strand.layers[j + 1];
         const double c = std::cos(layer.lay_angle);
@@ -110,7 +152,11 @@ class ClampObserver::Clamp {
           const double around = chi3 * std::cos(theta_[i]) - chi2 * std::sin(theta_[i]);
           const double own = layer.young * layer.diameter / 2 * c * std::hypot(radial, c * around);
           const double force = axial[j + 1] + whole * (state.layers[j].force[i] - axial[j + 1]);
-          widen(next(), force / layer.wire_area, std::copysign(own, -around));
+          WireSwing& wire = next();
+          widen(wire, force / layer.wire_area, std::copysign(own, -around));
+          const double slip = std::copysign(state.layers[j].slip[i], layer.lay_angle * state.layers[j].slip[i]);
+          move(wire, slip - below[i]);
+          below[i] = slip;
           now_.contact_load = std::max(now_.contact_load, state.layers[j].inner_load[i]);
         }
       }
@@ -120,6 +166,8 @@ class ClampObserver::Clamp {
   void end_cycle() {
     last_ = std::move(now_);
     now_ = {};
+    now_.wires.resize(last_.wires.size());
+    for (std::size_t i = 0; i < last_.wires.size(); ++i) now_.wires[i].slip = last_.wires[i].slip;
   }
 
   ClampRow row(double frequency, std::optional<double> antinode_amplitude) const {
@@ -139,6 +187,7 @@ class ClampObserver::Clamp {
     }
     if (last_.wires.empty()) return row;
     row.contact_load = last_.contact_load;
+    row.slip_travel = std::ranges::max(last_.wires, {}, &WireSwing::travel).travel;
     for_each_wire([&](const Place& p, std::size_t layer, std::size_t angle, const WireSwing& wire) {
       if (row.worst && wire.larger().amplitude() <= row.worst->amplitude) return;
       row.worst = WorstWire{.layer = layer,
@@ -156,7 +205,7 @@ class ClampObserver::Clamp {
     for_each_wire([&](const Place& p, std::size_t layer, std::size_t angle, const WireSwing& wire) {
       table.append(std::array{is_right_ ? 1.0 : 0.0, p.at, static_cast<double>(layer), layer == 0 ? 0.0 : theta_[angle],
                               static_cast<double>(wire_at(layer, angle, p.at)), wire.larger().amplitude(),
-                              wire.larger().mean(), wire.axial.amplitude(), wire.axial.mean()});
+                              wire.larger().mean(), wire.axial.amplitude(), wire.axial.mean(), wire.travel});
     });
   }
 
@@ -177,6 +226,7 @@ class ClampObserver::Clamp {
       cycle->wires.resize(wires);
       for (WireSwing& wire : cycle->wires) {
         for (Swing* swing : {&wire.axial, &wire.outer, &wire.inner}) archive(a, *swing);
+        a(wire.slip, wire.travel);
       }
       archive(a, cycle->deflection);
       a(cycle->contact_load);
@@ -216,6 +266,11 @@ class ClampObserver::Clamp {
     wire.axial.widen(axial);
     wire.outer.widen(axial + own);
     wire.inner.widen(axial - own);
+  }
+
+  static void move(WireSwing& wire, double slip) {
+    if (wire.slip) wire.travel += std::abs(slip - *wire.slip);
+    wire.slip = slip;
   }
 
   double deflection(const double* u) const {
@@ -298,8 +353,8 @@ void ClampObserver::archive(Archive& a) {
 void ClampObserver::add_to(std::optional<double> antinode_amplitude, Outcome& outcome) const {
   if (cycles_ == 0) return;
   ClampSummary summary;
-  results::Table map(
-      {"end", "at_m", "layer", "theta_rad", "wire", "amplitude_Pa", "mean_Pa", "axial_amplitude_Pa", "axial_mean_Pa"});
+  results::Table map({"end", "at_m", "layer", "theta_rad", "wire", "amplitude_Pa", "mean_Pa", "axial_amplitude_Pa",
+                      "axial_mean_Pa", "slip_travel_m"});
   for (const Clamp& clamp : clamps_) {
     summary.clamps.push_back(clamp.row(frequency_, antinode_amplitude));
     clamp.add_rows(map);
@@ -312,16 +367,8 @@ void ClampObserver::add_to(std::optional<double> antinode_amplitude, Outcome& ou
         "\"return-map\"");
     return;
   }
+  add_figures(map, outcome);
   outcome.tables.push_back({.file = "clamp_wires.csv", .table = std::move(map)});
-  outcome.figures.push_back({.name = "clamp_wires",
-                             .title = "Stress of the wires beside the clamps",
-                             .kind = "section",
-                             .table = "clamp_wires.csv",
-                             .x = "theta_rad",
-                             .y = {"amplitude_Pa"},
-                             .series = {"end", "layer", "at_m"},
-                             .caption = "Amplitude of the stress of the wires of each layer around the lay, with their "
-                                        "own bending, in the last cycle (end 0: left)."});
 }
 
 std::vector<results::MemberNote> ClampObserver::notes() {

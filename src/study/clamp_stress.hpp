@@ -45,6 +45,7 @@ struct ClampRow {
   std::optional<double> cycles_endured{};
   std::optional<WorstWire> worst{};
   std::optional<double> contact_load{};
+  std::optional<double> slip_travel{};
 };
 template <class V>
 void members(V& v, ClampRow& c) {
@@ -60,6 +61,9 @@ void members(V& v, ClampRow& c) {
   v.record("worst_wire", c.worst, {.what = "the wire whose stress swings most"});
   v.value("largest_contact_load_N_per_m", c.contact_load,
           {.what = "of a wire on the layer below it, in the stretch beside the clamp"});
+  v.value("largest_slip_travel_m", c.slip_travel,
+          {.what = "in a cycle, to and fro, of a wire along the layer below it, as it would be in a strand bent evenly "
+                   "over a lay length: beside a clamp, which holds the wires, it is less"});
 }
 
 /// Watches the clamped ends of a span that vibrates at `frequency` [Hz].

@@ -6,6 +6,7 @@
 
 #include "damper_rows.hpp"
 #include "entries.hpp"
+#include "findings.hpp"
 #include "outlook.hpp"
 #include "strandyn/build/losses.hpp"
 #include "strandyn/core/error.hpp"
@@ -96,6 +97,15 @@ class Damper final : public Analysis {
     }
     summary.failed = main.failed;
     outcome.tell(summary);
+    for (const ShakenRow& shaken : summary.velocities) {
+      std::string peaks;
+      for (const PeakRow& peak : shaken.peaks) {
+        peaks += fmt::format("{}{} at {:.4g} Hz", peaks.empty() ? "" : ", ", amount(peak.power, "W"), peak.frequency);
+      }
+      if (peaks.empty()) continue;
+      outcome.findings.push_back(fmt::format("Shaken at {} the damper takes most at its resonances: {}.",
+                                             amount(shaken.velocity, "m/s"), peaks));
+    }
     add_damper_tables(chain.rows, reduced.rows, outcome);
     if (!main.failed.empty()) {
       outcome.warnings.push_back(fmt::format(

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "entries.hpp"
+#include "findings.hpp"
 #include "strandyn/build/clamp.hpp"
 #include "strandyn/build/section_law.hpp"
 #include "strandyn/fatigue/rainflow.hpp"
@@ -88,6 +89,14 @@ class Fatigue final : public Analysis {
     summary.damage_a_year = summary.damage * hours_a_year / hours_;
     if (summary.damage > 0) summary.years = 1 / summary.damage_a_year;
     outcome.tell(summary);
+    outcome.findings.push_back(fmt::format(
+        "{:.3g} cycles in {:.3g} hours, up to {} peak to peak and a Poffenberger-Swart stress of {}: {}.",
+        summary.cycles, hours_, amount(summary.largest_amplitude, "m"), amount(summary.largest_stress, "Pa"),
+        summary.years
+            ? fmt::format("if every hour is like these, the damage sum of CIGRE's safe border line is 1 after "
+                          "{:.3g} years",
+                          *summary.years)
+            : "no damage by CIGRE's safe border line"));
     outcome.tables.push_back({.file = "spectrum.csv", .table = std::move(table)});
     outcome.figures.push_back({.name = "spectrum",
                                .title = "Where the damage comes from",

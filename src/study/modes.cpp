@@ -7,6 +7,7 @@
 
 #include "cautions.hpp"
 #include "entries.hpp"
+#include "findings.hpp"
 #include "outlook.hpp"
 #include "share.hpp"
 
@@ -90,6 +91,7 @@ class Modes final : public Analysis {
     }
     outcome.tables.push_back({.file = "frequencies.csv", .table = std::move(list)});
     outcome.tell(summary);
+    outcome.findings = findings_of(summary.modes);
     outcome.shown.push_back({.title = "Natural frequencies",
                              .table = "frequencies.csv",
                              .columns = {"mode", "half_waves", "frequency_Hz"}});

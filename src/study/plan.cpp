@@ -185,6 +185,14 @@ void check_plan(const Scene& scene, const build::BuiltSpan& span, const PlanAsk&
     refuse(scene.source, "air.frequency_Hz", "is missing, and nothing names a frequency for the force of the air",
            "give the frequency in hertz at which the span swings");
   }
+  if (!scene.dampers.empty() && !has_drive(scene) && !scene.initial && !ask.mode) {
+    refuse(scene.source, "damper", "its messenger loses at one frequency, and nothing names one",
+           "give a harmonic load, [[wind]], or [initial] velocity_mode");
+  }
+  if (scene.output && scene.output->per_cycle && !has_drive(scene) && !scene.initial && !ask.mode) {
+    refuse(scene.source, "output.fields_per_cycle", "counts cycles, and nothing names a frequency",
+           "give fields_every_s, in seconds");
+  }
   if (ask.counts_cycles && !has_drive(scene) && !scene.initial && !ask.mode) {
     refuse(scene.source, "analysis.type", "nothing names a frequency, so there is no cycle to count",
            "give a [[load]] of type \"harmonic-force\", or [initial] velocity_mode");

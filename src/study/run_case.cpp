@@ -116,7 +116,7 @@ struct Frame {
   std::optional<ShardRow> shard{};
   build::SectionNumbers section;
   Cost cost;
-  std::vector<std::string> warnings, files;
+  std::vector<std::string> findings, warnings, files;
   std::vector<VerdictRow> accept;
   std::vector<results::Highlight> highlights;
   std::vector<results::Figure> figures;
@@ -132,12 +132,13 @@ void members(V& v, Frame& f) {
   v.record("shard", f.shard, {.what = "which part of a study this is; absent where it is the whole"});
   v.record("section", f.section, {.what = "the numbers of the section"});
   v.record("cost", f.cost, {.what = "what it took"});
+  v.value("findings", f.findings, {.what = "what was found, in words"});
   v.value("warnings", f.warnings, {.what = "what to know before a number is used"});
   v.list("accept", f.accept, {.what = "the verdicts on [accept]"});
   v.list("highlights", f.highlights, {.what = "the numbers to look at first"});
   v.list("figures", f.figures, {.what = "what is worth drawing"});
   v.list("shown_tables", f.shown, {.what = "the tables that the terminal and the page show"});
-  v.value("files", f.files, {.what = "the tables of this folder"});
+  v.value("files", f.files, {.what = "the tables of this folder, and its fields"});
 }
 
 Value list_of(const std::vector<std::string>& words) {
@@ -156,6 +157,7 @@ Value frame(const casefile::Scene& scene, const Analysis& analysis) {
   s.set("case", casefile::case_as_run(scene));
   s.set("section", results::to_value(build::section_numbers(analysis.base() ? *analysis.base() : scene)));
   s.set("cost", results::to_value(Cost{}));
+  s.set("findings", Value::list());
   s.set("warnings", Value::list());
   return s;
 }
@@ -195,6 +197,7 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   result.cost.cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   Value& s = result.summary;
   s.set("cost", results::to_value(result.cost));
+  s.set("findings", list_of(result.findings));
   s.set("warnings", list_of(result.warnings));
   if (!hooks.shard) judge_acceptance(scene, result);  // it speaks of the whole study
   s.set("warnings", list_of(result.warnings));
@@ -206,6 +209,7 @@ CaseResult run_case(const casefile::Scene& scene, const Hooks& hooks) {
   s.set("shown_tables", results::to_value(result.shown));
   std::vector<std::string> files;
   for (const results::NamedTable& table : result.tables) files.push_back(table.file);
+  files.insert(files.end(), result.written.begin(), result.written.end());
   s.set("files", list_of(files));
   return result;
 }

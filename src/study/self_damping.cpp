@@ -6,8 +6,10 @@
 
 #include "accurate_bench.hpp"
 #include "entries.hpp"
+#include "findings.hpp"
 #include "march.hpp"
 #include "outlook.hpp"
+#include "self_damping_tables.hpp"
 #include "strandyn/section/return_map.hpp"
 #include "strandyn/self_damping/balance.hpp"
 #include "strandyn/self_damping/compare.hpp"
@@ -75,119 +77,6 @@ void members(V& v, StudyFacts& f) {
     v.value(("points_" + method).c_str(), count, {.what = "by this method"});
   v.value("tensions_N", f.tensions, {.what = "of all points"});
   v.value("mode_shape", f.mode_shape, {.what = "that the quadrature goes over"});
-}
-
-/// points_<method>.csv, one line per point that has numbers, and its figure.
-void add_point_tables(const std::vector<PointRow>& rows, Outcome& outcome) {
-  for (const auto& [method, name] : choices<DampingMethod>) {
-    results::Table table({"frequency_Hz", "antinode_amplitude_m", "tension_N", "self_damping_W_per_m",
-                          "self_damping_free_span_W_per_m", "friction_W_per_m", "material_W_per_m", "air_W_per_m"});
-    for (const PointRow& row : rows) {
-      if (row.method != name || !row.has_numbers()) continue;
-      const self_damping::LossParts parts = row.parts.value_or(self_damping::LossParts{.friction = *row.self_damping});
-      table.append(std::array{row.frequency, row.antinode_amplitude, row.tension, *row.self_damping,
-                              row.free_span.value_or(*row.self_damping), parts.friction, parts.material, parts.air});
-    }
-    if (table.rows() == 0) continue;
-    const bool any_loss = std::ranges::any_of(table.column("self_damping_W_per_m"), [](double w) { return w > 0; });
-    const std::string file = fmt::format("points_{}.csv", name);
-    outcome.figures.push_back({.name = fmt::format("self_damping_{}", name),
-                               .title = fmt::format("Self-damping, {}", name),
-                               .table = file,
-                               .x = "antinode_amplitude_m",
-                               .y = {"self_damping_W_per_m"},
-                               .series = {"tension_N", "frequency_Hz"},
-                               .x_scale = "log",
-                               .y_scale = any_loss ? "log" : "linear",
-                               .caption = "Dissipated power per metre of span against the antinode amplitude."});
-    outcome.shown.push_back({.title = fmt::format("Points by {}", name), .table = file, .columns = table.names()});
-    outcome.tables.push_back({.file = file, .table = std::move(table)});
-  }
-}
-
-/// local_exponents.csv: of all that is lost, at each point of a grid.
-void add_local_exponents(const Scene& scene, const std::vector<PointRow>& rows, Outcome& outcome) {
-  results::Table table(
-      {"antinode_velocity_m_per_s", "frequency_Hz", "antinode_amplitude_m", "tension_N", "l", "m", "n"});
-  for (const std::string_view grid : {self_damping::velocity_grid, self_damping::amplitude_grid}) {
-    for (const auto& local :
-         self_damping::local_exponents(self_damping::points_to_fit(scene, rows, self_damping::dissipation_of, grid))) {
-      if (!local.l || !local.m || !local.n) continue;
-      table.append(std::array{2 * std::numbers::pi * local.at.frequency * local.at.antinode_amplitude,
-                              local.at.frequency, local.at.antinode_amplitude, local.at.tension, *local.l, *local.m,
-                              *local.n});
-    }
-  }
-  if (table.rows() < 2) return;
-  outcome.figures.push_back({.name = "local_exponents",
-                             .title = "Exponents from point to point",
-                             .table = "local_exponents.csv",
-                             .x = "frequency_Hz",
-                             .y = {"l", "m", "n"},
-                             .series = {"tension_N", "antinode_velocity_m_per_s"},
-                             .caption =
-                                 "Exponents of amplitude (l), frequency (m) and tension (n) of all that is lost, "
-                                 "by differences between neighbouring points. One power law would be three lines."});
-  outcome.tables.push_back({.file = "local_exponents.csv", .table = std::move(table)});
-}
-
-/// bench_readings.csv: the four readings of each bench, side by side.
-void add_readings(const std::vector<PointRow>& rows, Outcome& outcome) {
-  results::Table table({"antinode_amplitude_m", "frequency_Hz", "tension_N", "ledger_W_per_m", "power_W_per_m",
-                        "iswr_W_per_m", "decay_W_per_m"});
-  for (const PointRow& row : rows) {
-    if (!row.bench || !row.bench->iswr || !row.bench->decay) continue;
-    table.append(std::array{row.antinode_amplitude, row.frequency, row.tension, row.bench->ledger.power,
-                            row.bench->power.power, row.bench->iswr->power, row.bench->decay->power});
-  }
-  if (table.rows() == 0) return;
-  outcome.shown.push_back(
-      {.title = "Readings of the test bench", .table = "bench_readings.csv", .columns = table.names()});
-  outcome.tables.push_back({.file = "bench_readings.csv", .table = std::move(table)});
-  outcome.figures.push_back({.name = "bench_readings",
-                             .title = "Readings of the test bench",
-                             .table = "bench_readings.csv",
-                             .x = "antinode_amplitude_m",
-                             .y = {"ledger_W_per_m", "power_W_per_m", "iswr_W_per_m", "decay_W_per_m"},
-                             .series = {"tension_N", "frequency_Hz"},
-                             .caption = "One vibration read in the four ways of the standards."});
-}
-
-void add_loss_table(const Quadrature& quadrature, Outcome& outcome) {
-  results::Table table({"tension_N", "curvature_per_m", "loss_J_per_m"});
-  for (const Quadrature::Table& entry : quadrature.tables()) {
-    outcome.cost.section_evaluations += entry.loss.effort().evaluations;
-    outcome.cost.section_sweeps += entry.loss.effort().sweeps;
-    for (std::size_t i = 0; i < entry.loss.amplitudes().size(); ++i) {
-      table.append(std::array{entry.tension, entry.loss.amplitudes()[i], entry.loss.losses()[i]});
-    }
-  }
-  if (table.rows() >= 2) {
-    outcome.figures.push_back({.name = "sectional_loss",
-                               .title = "Loss of a section per cycle",
-                               .table = "sectional_loss.csv",
-                               .x = "curvature_per_m",
-                               .y = {"loss_J_per_m"},
-                               .series = {"tension_N"},
-                               .x_scale = "log",
-                               .y_scale = "log",
-                               .caption = "What friction takes from a metre in one symmetric cycle of curvature."});
-  }
-  outcome.tables.push_back({.file = "sectional_loss.csv", .table = std::move(table)});
-}
-
-void add_balances(const std::vector<self_damping::BalanceRow>& rows, Outcome& outcome) {
-  results::Table table = self_damping::table_of_balances(rows);
-  if (table.rows() >= 2) {
-    outcome.figures.push_back({.name = "energy_balance",
-                               .title = "Vibration of the conductor in the wind",
-                               .table = "energy_balance.csv",
-                               .x = "frequency_Hz",
-                               .y = {"amplitude_over_diameter"},
-                               .series = {"balance", "tension_N"},
-                               .caption = "Amplitude over diameter at which the power of the wind is what is lost."});
-  }
-  outcome.tables.push_back({.file = "energy_balance.csv", .table = std::move(table)});
 }
 
 bool needs_quadrature(const casefile::SelfDampingAnalysis& keys) {
@@ -324,7 +213,7 @@ void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {
   const bool finished = rows.size() == own.size();
   if (hooks.shard) {
     outcome.tell(ShardSummary{.points = rows});
-    add_point_tables(rows, outcome);
+    add_point_tables(scene_, rows, {}, outcome);
     for (const auto& [tension, table] : log.tables()) {
       outcome.cost.section_evaluations += table.evaluations;
       outcome.cost.section_sweeps += table.sweeps;
@@ -380,7 +269,8 @@ void SelfDamping::sum_up(const std::vector<PointRow>& rows, Reached reached, Out
     if (!balances.damages.empty()) summary.damages = std::move(balances.damages);
   }
   outcome.tell(summary);
-  add_point_tables(rows, outcome);
+  outcome.findings = findings_of(summary.fits, summary.grids);
+  add_point_tables(scene_, rows, summary.fits.law, outcome);
   add_local_exponents(scene_, rows, outcome);
   add_readings(rows, outcome);
   if (quadrature) add_loss_table(*quadrature, outcome);

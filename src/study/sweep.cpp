@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "entries.hpp"
+#include "findings.hpp"
 #include "outlook.hpp"
 #include "strandyn/span/shaken_span.hpp"
 
@@ -158,6 +159,14 @@ class Sweep final : public Analysis {
     }
     if (!stopped && outcome.exit_code == ExitCode::done) backbone(shaken, hooks, stop, summary, outcome);
     outcome.tell(summary);
+    if (summary.resonance) {
+      outcome.findings.push_back(fmt::format(
+          "Phase resonance at {:.5g} Hz, {:+.3g} % from where the mode of sticking wires lies, with an antinode "
+          "amplitude "
+          "of {} and {} lost.",
+          summary.resonance->frequency, 100 * (summary.resonance->frequency / summary.linear_frequency - 1),
+          amount(summary.resonance->antinode_amplitude, "m"), amount(summary.resonance->dissipated_power, "W")));
+    }
     add_tables(summary, outcome);
     if (!stopped) return;
     outcome.exit_code = ExitCode::interrupted;

@@ -6,11 +6,13 @@
 #include "cautions.hpp"
 #include "clamp_stress.hpp"
 #include "entries.hpp"
+#include "field_writer.hpp"
 #include "outlook.hpp"
 #include "plan.hpp"
 #include "share.hpp"
 #include "strandyn/observe/histories.hpp"
 #include "strandyn/observe/ledger.hpp"
+#include "transient_rows.hpp"
 
 namespace strandyn::study {
 
@@ -45,97 +47,6 @@ std::vector<std::size_t> probe_nodes(const Scene& scene, const model::Model& mod
 
 Components components(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
-}
-
-/// One row of energies.csv: energies of the state, works and losses since the start.
-struct EnergyRow {
-  double time = 0;
-  double kinetic = 0, elastic = 0, external_work = 0, wind = 0, friction = 0, material = 0, viscous = 0, air = 0,
-         attached = 0;
-  double numerical = 0, quadrature_error = 0;
-};
-template <class V>
-void members(V& v, EnergyRow& e) {
-  v.value("t_s", e.time, {.what = "the end of the step"});
-  v.value("kinetic_J", e.kinetic, {.what = "kinetic energy"});
-  v.value("elastic_J", e.elastic, {.what = "elastic energy above that of the initial state"});
-  v.value("external_work_J", e.external_work, {.what = "work of the loads and of moved supports"});
-  v.value("wind_work_J", e.wind, {.what = "work of the wind"});
-  v.value("friction_dissipation_J", e.friction, {.what = "friction between the wires"});
-  v.value("material_dissipation_J", e.material, {.what = "damping of the metal of the wires"});
-  v.value("viscous_dissipation_J", e.viscous, {.what = "all viscous damping"});
-  v.value("air_dissipation_J", e.air, {.what = "still air"});
-  v.value("damper_dissipation_J", e.attached, {.what = "friction and metal of Stockbridge dampers"});
-  v.value("numerical_dissipation_J", e.numerical, {.what = "what the other terms leave over"});
-  v.value("quadrature_error_J", e.quadrature_error, {.what = "contained in the numerical part with a minus"});
-}
-
-/// `energy` of the summary: the last row, and what belongs to the whole run.
-struct EnergySummary {
-  EnergyRow end;
-  double initial_kinetic = 0, largest_kinetic = 0;
-  std::optional<double> numerical_share{};
-};
-template <class V>
-void members(V& v, EnergySummary& e) {
-  v.part(e.end);
-  v.value("initial_kinetic_J", e.initial_kinetic, {.what = "at the start"});
-  v.value("largest_kinetic_J", e.largest_kinetic, {.what = "of all steps"});
-  v.value("numerical_share", e.numerical_share,
-          {.what = "|numerical| over all physical losses", .shown = "numerical share"});
-}
-
-struct ProbeRange {
-  Components min{}, max{}, end{};
-};
-template <class V>
-void members(V& v, ProbeRange& r) {
-  v.value("min", r.min, {.what = "the lowest, by component"});
-  v.value("max", r.max, {.what = "the highest"});
-  v.value("end", r.end, {.what = "at the end"});
-}
-struct ProbeRow {
-  double arc = 0;
-  ProbeRange displacement;
-  std::optional<double> frequency{};
-};
-template <class V>
-void members(V& v, ProbeRow& p) {
-  v.value("arc_m", p.arc, {.what = "where it is, along the span"});
-  v.record("displacement_m", p.displacement, {.what = "from the initial state"});
-  v.value("frequency_Hz", p.frequency, {.what = "mean over whole cycles of the direction that moves most"});
-}
-
-struct MomentumRow {
-  Components linear{}, centre_velocity{}, impulse{};
-  double largest_deviation = 0;
-};
-template <class V>
-void members(V& v, MomentumRow& m) {
-  v.value("linear_kg_m_per_s", m.linear, {.what = "momentum at the end"});
-  v.value("centre_velocity_m_per_s", m.centre_velocity, {.what = "of the centre of mass"});
-  v.value("impulse_N_s", m.impulse, {.what = "of all that acts from outside"});
-  v.value("largest_deviation_N_s", m.largest_deviation, {.what = "of the change of momentum from the impulse"});
-}
-
-struct TransientSummary {
-  std::optional<span::Rest> rest{};
-  PlanRow plan{};
-  std::optional<WindRow> wind{};
-  double end_time = 0;
-  std::vector<ProbeRow> probes{};
-  MomentumRow momentum{};
-  EnergySummary energy{};
-};
-template <class V>
-void members(V& v, TransientSummary& s) {
-  v.record("rest", s.rest, {.what = "how a hanging span hangs"});
-  v.record("plan", s.plan, {.what = "how it was integrated"});
-  v.record("wind", s.wind, {.what = "the wind, where there is one"});
-  v.value("end_time_s", s.end_time, {.what = "that was reached"});
-  v.list("probes", s.probes, {.what = "the points whose motion was written"});
-  v.record("momentum", s.momentum, {.what = "of the chain, against the impulse"});
-  v.record("energy", s.energy, {.what = "the ledger at the end"});
 }
 
 /// One row per step.
@@ -266,6 +177,7 @@ class Transient final : public Analysis {
     }
     check_plan(scene, built_, ask_);
     check_clamps(scene);
+    check_output(scene);
     if (scene.as<casefile::TransientAnalysis>().start == casefile::Start::unloaded) {
       for (std::size_t i = 0; i < built_.model.motions.size(); ++i) {
         if (built_.model.motions[i].at(0, {}) == 0) continue;
@@ -315,6 +227,8 @@ class Transient final : public Analysis {
           "[clamps] counts cycles, and nothing in this run names a frequency: give a harmonic load, [[wind]], or "
           "[initial] velocity_mode");
     }
+    std::optional<FieldWriter> fields;
+    if (scene_.output) observers.push_back(&fields.emplace(scene_, hooks, plan.frequency));
     solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
     options.stop = hooks.stop;
     const solver::IntegratorSummary run =
@@ -326,8 +240,10 @@ class Transient final : public Analysis {
     summary.momentum = row_of(momentum);
     summary.energy = energy.at_end();
     outcome.tell(summary);
+    outcome.findings = findings_of(summary.energy);
     add_histories(probes, outcome);
     if (clamps) clamps->add_to({}, outcome);
+    if (fields) fields->end(outcome);
     outcome.tables.push_back({.file = "energies.csv", .table = results::table_of(energy.rows())});
     std::vector<std::string> drawn = {"kinetic_J", "elastic_J", "external_work_J"};
     if (!scene_.winds.empty()) drawn.emplace_back("wind_work_J");
@@ -370,6 +286,7 @@ class Transient final : public Analysis {
 std::vector<results::MemberNote> notes_of_transient() {
   std::vector<results::MemberNote> notes = results::ReferenceWriter::of<TransientSummary>();
   std::ranges::move(ClampObserver::notes(), std::back_inserter(notes));
+  std::ranges::move(FieldWriter::notes(), std::back_inserter(notes));
   return notes;
 }
 

@@ -10,6 +10,9 @@
 #include "cycle_log.hpp"
 #include "decay.hpp"
 #include "entries.hpp"
+#include "field_writer.hpp"
+#include "findings.hpp"
+#include "motion.hpp"
 #include "outlook.hpp"
 #include "plan.hpp"
 #include "profile.hpp"
@@ -118,6 +121,7 @@ class Vibration final : public Analysis {
       : scene_(scene), ask_(ask), integration_(scene), built_(build::build_span(scene)) {
     check_plan(scene, built_, ask_);
     check_clamps(scene);
+    check_output(scene);
   }
 
   Outlook outlook() override {
@@ -170,6 +174,8 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   std::vector<observe::Observer*> observers = {&cycles, &log, &fundamental, &progress, &check};
   std::optional<ClampObserver> clamps;
   if (scene_.clamps) observers.push_back(&clamps.emplace(scene_, span, plan.frequency));
+  std::optional<FieldWriter> fields;
+  if (scene_.output) observers.push_back(&fields.emplace(scene_, hooks, plan.frequency));
   bool interrupted = false;
   bool steady = false;
   std::size_t judged = 0;
@@ -197,11 +203,14 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
     if (plan.wind) warn_beyond_curve(*plan.wind, cycles.cycles().back().antinode_amplitude, outcome);
   }
   outcome.tell(summary);
+  if (summary.steady) outcome.findings = findings_of(*summary.steady, profile, scene_.span->total_length());
   log.add_to(outcome);
   add_figures(scene_, outcome);
   if (plan.decays) add_decay(log.rows(), numbers, outcome);
   if (clamps && cycles.count() > 0) clamps->add_to(cycles.cycles().back().antinode_amplitude, outcome);
   add_profile(profile, outcome);
+  if (fields) fields->end(outcome);
+  if (cycles.count() > 0) add_motion(span, fundamental, outcome);
   outcome.ended_early = interrupted || run.ending == solver::Ending::failed;
   if (run.ending == solver::Ending::failed) {
     outcome.exit_code = ExitCode::not_converged;
@@ -225,6 +234,7 @@ std::vector<results::MemberNote> notes_of_vibration() {
   std::vector<results::MemberNote> notes = results::ReferenceWriter::of<VibrationSummary>();
   std::ranges::move(CycleLog::notes(), std::back_inserter(notes));
   std::ranges::move(ClampObserver::notes(), std::back_inserter(notes));
+  std::ranges::move(FieldWriter::notes(), std::back_inserter(notes));
   return notes;
 }
 

@@ -14,12 +14,10 @@ struct AcrossNode {
 };
 
 inline std::vector<AcrossNode> across_nodes(const model::Model& model) {
-  std::vector<AcrossNode> nodes(model.nodes.size());
-  for (std::size_t node = 0; node < nodes.size(); ++node) {
-    nodes[node] = {.node = node, .unknown = model.index(node, model::Unknown::y).value()};
-  }
-  for (std::size_t e = 0; e < model.elements.size(); ++e) {
-    for (const std::size_t node : {e, e + 1}) nodes[node].length += model.elements[e].length / 2;
+  const std::vector<double> lengths = model::node_lengths(model);
+  std::vector<AcrossNode> nodes;
+  for (std::size_t node = 0; node < lengths.size(); ++node) {
+    nodes.push_back({.node = node, .unknown = model.index(node, model::Unknown::y).value(), .length = lengths[node]});
   }
   return nodes;
 }

@@ -17,12 +17,11 @@ constexpr Unknown translations[] = {Unknown::x, Unknown::y, Unknown::z};
 
 AirOnChain::AirOnChain(const model::Model& model)
     : model_(model), nodes_(model.nodes.size(), {.axis = Vector3d::Zero()}) {
+  const std::vector<double> lengths = model::node_lengths(model);
+  for (std::size_t node = 0; node < nodes_.size(); ++node) nodes_[node].length = lengths[node];
   for (std::size_t e = 0; e < model.elements.size(); ++e) {
     const Vector3d chord = (model.nodes[e + 1] - model.nodes[e]).normalized();
-    for (const std::size_t node : {e, e + 1}) {
-      nodes_[node].length += model.elements[e].length / 2;
-      nodes_[node].axis += chord;
-    }
+    for (const std::size_t node : {e, e + 1}) nodes_[node].axis += chord;
   }
   for (Node& node : nodes_) node.axis.normalize();
 }

@@ -1,6 +1,7 @@
 #include "strandyn/system/system.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "chain.hpp"
 #include "strandyn/core/error.hpp"
@@ -35,6 +36,8 @@ System::System(const model::Model& model)
       tangents_(chain_->dimension(), model.elements.size() * gauss_points),
       damping_force_(drag_),
       load_(drag_) {
+  std::ranges::copy_if(model.bodies, std::back_inserter(sprung_),
+                       [](const model::Body& body) { return body.stiffness != 0 || body.damping != 0; });
   const auto unknowns_of_node = model::unknowns_of(model.freedom);
   for (const model::Support& support : model.supports) {
     for (std::size_t i = 0; i < unknowns_of_node.size(); ++i) {
@@ -120,7 +123,7 @@ void System::internal_force_at(const double* u, std::optional<double> time, doub
   chain_->add_internal_force(stresses_, f);
   chain_->add_stiffness(stresses_, tangents_, K);
   add_springs(u, f);
-  for (const model::Body& body : model_.bodies) add_along(body, body.stiffness, K);
+  for (const model::Body& body : sprung_) add_along(body, body.stiffness, K);
 }
 
 void System::internal_force(const double* u, double* f) const {
@@ -186,11 +189,11 @@ void System::stiffness_of(const section::Field& stresses, const section::Tangent
   chain_->find_strains(u, strains_);
   K.set_zero();
   chain_->add_stiffness(stresses, tangents, K);
-  for (const model::Body& body : model_.bodies) add_along(body, body.stiffness, K);
+  for (const model::Body& body : sprung_) add_along(body, body.stiffness, K);
 }
 
 void System::add_springs(const double* u, double* f) const {
-  for (const model::Body& body : model_.bodies) {
+  for (const model::Body& body : sprung_) {
     const double stretch = body.direction.dot(model_.displacement(u, body.node));
     add_at_node(body.node, body.stiffness * stretch * body.direction, f);
   }
@@ -241,7 +244,7 @@ void System::add_inertia_and_drag(const State& m, double* f) const {
     for (std::size_t i = 0; i < unknowns(); ++i) f[i] += drag_(static_cast<Eigen::Index>(i)) * m.v[i];
   }
   if (!air_.is_none()) air_on_chain_.add_force(air_, m.v, f);
-  for (const model::Body& body : model_.bodies) {
+  for (const model::Body& body : sprung_) {
     const double rate = body.direction.dot(model_.displacement(m.v, body.node));
     add_at_node(body.node, body.damping * rate * body.direction, f);
   }
@@ -265,9 +268,11 @@ void System::add_inertia_and_drag(const State& m, InertiaFactors factors, Matrix
     }
   }
   if (!air_.is_none() && factors.velocity != 0) air_on_chain_.add_tangent(air_, m.v, factors.velocity, K);
-  for (const model::Body& body : model_.bodies) add_along(body, factors.velocity * body.damping, K);
+  for (const model::Body& body : sprung_) add_along(body, factors.velocity * body.damping, K);
   if (damping_.rayleigh && factors.velocity != 0) K.add(factors.velocity, *damping_.rayleigh);
   if (wind_ && factors.velocity != 0) wind_->subtract_tangent(factors.velocity, K);
+  if (factors.position == 0) return;  // part of a step's matrix, or none of it
+  for (const auto& attachment : attached_) attachment->add_tangent(K);
 }
 
 void System::hold(Matrix& K) const {
@@ -291,7 +296,7 @@ ViscousLoss System::viscous_power(const double* v) const {
   if (model_.drag > 0) {
     for (std::size_t i = 0; i < unknowns(); ++i) power.drag += drag_(static_cast<Eigen::Index>(i)) * v[i] * v[i];
   }
-  for (const model::Body& body : model_.bodies) {
+  for (const model::Body& body : sprung_) {
     const double rate = body.direction.dot(model_.displacement(v, body.node));
     power.dampers += body.damping * rate * rate;
   }
@@ -355,7 +360,7 @@ double System::elastic_energy(const AlignedVector& stored, const double* u) cons
     energy += point_length(point) * (stored[point] - stored_at_begin_[point]);
     if (!material_.is_empty()) energy += point_length(point) * material_.stored()[point];
   }
-  for (const model::Body& body : model_.bodies) {
+  for (const model::Body& body : sprung_) {
     const double stretch = body.direction.dot(model_.displacement(u, body.node));
     energy += body.stiffness * stretch * stretch / 2;
   }

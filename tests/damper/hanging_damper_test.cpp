@@ -106,7 +106,7 @@ TEST_CASE("hanging damper: two like arms ask for no moment, one arm is the other
   check_close(std::abs(alone.force - other.force), 0.0, {.absolute = 1e-9});
 }
 
-TEST_CASE("hanging damper: a clamp that moves as a rigid body turns and shifts the arms without loss") {
+TEST_CASE("hanging damper: a clamp that moves steadily takes the arms along as rigid bodies, without loss") {
   const auto& both = test::stockbridges()[0];
   const model::Model span = clamp_only();
   const auto hung =

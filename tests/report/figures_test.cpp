@@ -88,7 +88,8 @@ TEST_CASE("figures: what a figure asks for and does not get is refused by name")
   CHECK(contains(fault(f), "asks for the column 's'"));
   f = figure("a", {"b"});
   f.kind = "pie";
-  CHECK(fault(f) == "the figure 'f' of summary.json is of the kind 'pie'; there are line, band, map, section, motion");
+  CHECK(fault(f) ==
+        "the figure 'f' of summary.json is of the kind 'pie'; there are line, points, band, map, section, motion");
   f.kind = "band";
   CHECK(contains(fault(f), "is a band of 1 columns; it takes the low and the high one"));
   f.kind = "line";

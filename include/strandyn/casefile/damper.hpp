@@ -3,9 +3,9 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "strandyn/casefile/conductor.hpp"
 #include "strandyn/casefile/declare.hpp"
 #include "strandyn/casefile/section.hpp"
 #include "strandyn/core/words.hpp"
@@ -19,20 +19,32 @@ constexpr auto words_of(DamperName) {
   return std::array{Named{DamperName::z5, "z5"}, Named{DamperName::sdm, "sdm"}};
 }
 
-/// messenger = { ... }: an elastic rod with a loss factor.
+/// messenger = { ... }: an elastic rod with a loss factor, or a strand whose wires rub.
 struct MessengerKeys {
-  double bending_stiffness = 0;  ///< [N m^2]
-  double mass_per_length = 0;    ///< [kg/m]
-  double loss_factor = 0;        ///< [-] at the frequency of the run
+  std::optional<double> bending_stiffness;  ///< [N m^2] of a rod; or
+  std::optional<Conductor> strand = {};
+  Law law = Law::return_map;              ///< of the strand
+  int points = 20;                        ///< of the strand, per turn of the lay
+  std::optional<double> mass_per_length;  ///< [kg/m] always set after reading
+  double loss_factor = 0;                 ///< [-] of the metal, at the frequency of the run
 };
 
 template <class V>
 void keys(V& v, MessengerKeys& m) {
+  v.one_of({"EI_N_m2", "conductor"}, {.required = true});
   v.number("EI_N_m2", m.bending_stiffness,
-           {.help = "the bending stiffness", .unit = units::N_m2, .above = 0, .required = true});
-  v.number("mass_kg_per_m", m.mass_per_length, {.help = "the mass per length", .unit = units::kg_per_m, .at_least = 0});
+           {.help = "the bending stiffness of an elastic messenger", .unit = units::N_m2, .above = 0});
+  v.table("conductor", m.strand, {.help = "the strand that is the messenger, with the friction of its wires"});
+  v.choice("law", m.law, {.help = "the section law of the strand"});
+  v.number("points", m.points,
+           {.help = "the number of points per turn of the lay of the strand", .at_least = 4, .multiple_of = 4});
+  v.number(
+      "mass_kg_per_m", m.mass_per_length,
+      {.help = "the mass per length (that of the strand, or 0, unless given)", .unit = units::kg_per_m, .at_least = 0});
   v.number("loss_factor", m.loss_factor,
-           {.help = "the loss factor of its bending, at the frequency of the run", .at_least = 0, .at_most = 0.5});
+           {.help = "the loss factor of its bending beside friction, at the frequency of the run",
+            .at_least = 0,
+            .at_most = 0.5});
 }
 
 /// Lists have one entry an arm: to the left of the clamp, to the right; one entry is an arm to the left.
@@ -66,7 +78,7 @@ void keys(V& v, DamperKeys& d) {
   v.numbers(
       "offset_m", d.offsets,
       {.help = "how far the centre of each weight lies from the messenger's end, towards the clamp", .unit = units::m});
-  v.table("messenger", d.messenger, {.help = "the messenger, an elastic rod"});
+  v.table("messenger", d.messenger, {.help = "the messenger, an elastic rod or a strand"});
   v.number("elements", d.elements, {.help = "the number of elements of an arm", .at_least = 1, .at_most = 100});
 }
 

@@ -60,6 +60,7 @@ struct Load {
   bool history_is_moment = false;
   std::optional<Interpolation> interpolation;  ///< of the history; always set after reading where there is one
   std::optional<double> history_begins;        ///< [s] of the file that is the beginning of the run
+  std::optional<double> low_pass;              ///< [Hz] above which the history is cut off; after reading it has been
   std::optional<Vector3> direction;            ///< [-] unit vector; always set after reading
   std::optional<double> frequency;             ///< [Hz] `harmonic-force`: this, or
   std::optional<int> frequency_mode;           ///< that of this mode, counted from 1
@@ -111,6 +112,10 @@ void keys(V& v, Load& l) {
              {.help = "straight lines, or the cubic spline through the rows (linear unless given)"});
     v.number("history_begins_at_s", l.history_begins,
              {.help = "the time of the file that is the beginning of the run (0 unless given)", .unit = units::s});
+    v.number("low_pass_Hz", l.low_pass,
+             {.help = "the frequency above which the history is left out, before it is followed in steps",
+              .unit = units::Hz,
+              .above = 0});
   });
   v.vector("direction", l.direction,
            {.help = "the direction of the force, or the axis of the moment (y, or z for a moment, unless given)"});
@@ -131,6 +136,7 @@ struct Motion {
   std::optional<std::string> history_file;     ///< where it comes from; after reading it is in `history`
   bool history_is_rotation = false;
   std::optional<double> history_begins;        ///< [s] of the file that is the beginning of the run
+  std::optional<double> low_pass;              ///< [Hz] above which the history is cut off; after reading it has been
   std::optional<Interpolation> interpolation;  ///< of the history; always set after reading where there is one
   double ease = 0;                             ///< [s] in which a motion swells to its full size
   std::optional<Vector3> direction;            ///< [-] plus or minus one of the axes x, y, z; always set after reading
@@ -184,6 +190,10 @@ void keys(V& v, Motion& m) {
                     "(rotation_deg with rotation = true)"});
     v.number("history_begins_at_s", m.history_begins,
              {.help = "the time of the file that is the beginning of the run (0 unless given)", .unit = units::s});
+    v.number("low_pass_Hz", m.low_pass,
+             {.help = "the frequency above which the history is left out, before it is followed in steps",
+              .unit = units::Hz,
+              .above = 0});
     v.choice(
         "interpolation", m.interpolation,
         {.help = "straight lines, whose corners are jumps of velocity, or the cubic spline through the rows (smooth "

@@ -14,48 +14,16 @@
 #include "strandyn/casefile/analysis.hpp"
 #include "strandyn/casefile/choices.hpp"
 #include "strandyn/casefile/clamps.hpp"
+#include "strandyn/casefile/conductor.hpp"
 #include "strandyn/casefile/damper.hpp"
 #include "strandyn/casefile/loads.hpp"
 #include "strandyn/casefile/losses.hpp"
+#include "strandyn/casefile/output.hpp"
 #include "strandyn/casefile/section.hpp"
 #include "strandyn/casefile/source.hpp"
 #include "strandyn/casefile/wind.hpp"
-#include "strandyn/conductor/strand.hpp"
 
 namespace strandyn::casefile {
-
-/// [[conductor.layer]], also of a catalogue entry. After reading: lay_angle, helix_radius, friction_inner hold values,
-/// lay_length and friction are empty.
-struct LayerKeys {
-  int wires = 1;
-  double diameter = 0;                 ///< [m]
-  std::optional<double> lay_angle;     ///< [rad] signed
-  std::optional<double> lay_length;    ///< [m] signed
-  std::optional<double> lay_ratio;     ///< [-] signed, lay length over the outer diameter of the layer
-  double young = 0;                    ///< [Pa]
-  double poisson = 0.3;                ///< [-]
-  double density = 0;                  ///< [kg/m^3] 0: not given
-  double residual_force = 0;           ///< [N/m]
-  std::optional<double> helix_radius;  ///< [m]
-  WireShape shape = WireShape::round;
-  std::optional<double> area;            ///< [m^2] trapezoidal wires only
-  std::optional<double> friction;        ///< [-] inner contact, and the outer one unless the next layer says otherwise
-  std::optional<double> friction_inner;  ///< [-] inner contact
-};
-
-struct Conductor {
-  std::optional<std::string> catalogue;
-  std::optional<std::string> file;  ///< as written: beside the case
-  std::optional<std::string> title;
-  std::optional<std::string> source;
-  std::vector<LayerKeys> layers;
-  double friction = 0.5;  ///< [-] of every contact that no layer speaks of
-  bool residual_forces = true;
-  std::optional<double> mass_per_length;  ///< [kg/m]
-  std::optional<double> rated_strength;   ///< [N]
-
-  conductor::Strand strand;  ///< all of the above, resolved
-};
 
 /// [[span.support]]: where a line of several spans is suspended.
 struct SuspensionKeys {
@@ -64,6 +32,22 @@ struct SuspensionKeys {
   std::optional<double> tension;  ///< [N] of the span to its right; empty: that of the span to its left
   double string_length = 0;       ///< [m] `string`
   double string_mass = 0;         ///< [kg] `string`
+};
+
+/// [span.stretch.armour_rods]: rods around the conductor.
+struct ArmourKeys {
+  int rods = 1;
+  double diameter = 0;    ///< [m]
+  double young = 69e9;    ///< [Pa] as the next: aluminium
+  double density = 2700;  ///< [kg/m^3]
+  bool bonded = false;    ///< whether they keep one plane section
+};
+
+/// [[span.stretch]]: a part of the span with a section of its own.
+struct StretchKeys {
+  double from = 0, to = 0;             ///< [m] from the left support
+  std::optional<Conductor> conductor;  ///< in place of that of the case, or
+  std::optional<ArmourKeys> armour;    ///< around it
 };
 
 struct Span {
@@ -84,7 +68,10 @@ struct Span {
   double stringing_temperature = 15;     ///< [degrees Celsius] at which the tension was set, without ice
   std::optional<double> expansion;       ///< [1/K] empty: that of the wires
   std::vector<SuspensionKeys> supports;  ///< between the ends, from left to right
+  std::vector<StretchKeys> stretches;    ///< from left to right
   double ice = 0;                        ///< [kg/m]
+  double wind = 0;                       ///< [m/s] a steady wind along z, which pushes the span sideways
+  double drag_coefficient = 1;           ///< [-] of that
   MassMatrix mass = MassMatrix::consistent;
   bool rotary_inertia = false;
   bool condense_axial = false;
@@ -166,6 +153,7 @@ struct Scene {
   std::vector<WindKeys> winds;  ///< none or one
   std::optional<Material> material;
   std::optional<ClampKeys> clamps;
+  std::optional<OutputKeys> output;
   Static static_;
   Integrator integrator;
   Analysis analysis;

@@ -3,8 +3,8 @@
 ///
 /// Each arm is integrated from the last commit to the trial motion of the node by the trapezoidal rule, which takes no
 /// energy of its own, with Newton's method to 1e-12 m. Its clamp is a held node that follows the node of the span; what
-/// holds it is the force on the span. The span's matrix knows nothing of the arms: beside the inertia of a step their
-/// stiffness is a thousandth. The mass of the clamp belongs to the span.
+/// holds it is the force on the span. The span's matrix has what the clamp feels of the arms as of the last
+/// factorization. The mass of the clamp belongs to the span.
 ///
 /// An arm begins as a rigid body that moves with its clamp. The metal's loss counts at one frequency (arm_chain.hpp).
 /// Weight is left out, as in damper.hpp; rotations are taken for small.

@@ -133,6 +133,9 @@ void lay_out(Model& model, const Polyline& line);
 /// [m] along the reference configuration from the first node.
 std::vector<double> arc_lengths(const Model& model);
 
+/// [m] of unstressed chain that each node stands for: half of the elements beside it.
+std::vector<double> node_lengths(const Model& model);
+
 /// The node nearest to `position` [m] along the reference configuration.
 std::size_t nearest_node(const Model& model, double position);
 

@@ -21,7 +21,7 @@ class RunFolder {
   std::string message;             ///< why it ended, where it ended early
   std::string analysis;            ///< its type: "forced"
   std::vector<std::string> facts;  ///< of the case, in words: "conductor curlew", "30 m span"
-  std::vector<std::string> warnings;
+  std::vector<std::string> findings, warnings;
   std::vector<Highlight> highlights;
   std::vector<Figure> figures;
   std::vector<ShownTable> shown;

@@ -3,6 +3,10 @@
 ///
 /// Every wire of a layer runs through all swept angles theta, so a profile over theta is the profile along any of its
 /// wires over one lay length; a layer-by-angle table of `slips` is the slip map of the section. [FM2016 Figures 6, 18]
+///
+/// The slip u of a wire is what is missing of the gradient that plane sections ask for, k e - q = k_w u: along a wire
+/// it is nearly a first harmonic, whose second derivative is that gradient over EA_w (src/section/README.md,
+/// compliant).
 
 #include <vector>
 
@@ -15,6 +19,7 @@ struct LayerState {
   std::vector<double> limit;       ///< [N/m] q_lim at this force
   std::vector<bool> slips;         ///< |q| is at its limit (to 1e-9), or the contact is open
   std::vector<double> inner_load;  ///< [N/m of contact helix] f_int of a wire, as its own force sets it there
+  std::vector<double> slip;        ///< [m] along itself against plane sections, in the direction of its own demand
   double f_int = 0;                ///< [N/m] layer average, per wire: what is handed to the next layer inward
   double f_ext = 0;                ///< [N/m] average load from the layer outside, per wire of this layer
   double mean_bending_force = 0;   ///< [N] mean of F_b around the turn

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "strandyn/analysis/power_law.hpp"
+#include "strandyn/analysis/published_laws.hpp"
 #include "strandyn/self_damping/quadrature.hpp"
 
 namespace strandyn::self_damping {
@@ -141,6 +142,9 @@ void members(V& v, Fits& f) {
   v.list("bands", f.bands, {.what = "fits of bands of amplitude, of the free span"});
   v.record("published", f.published, {.what = "the published laws beside it"});
 }
+/// Of a scene with a conductor whose strength is known.
+analysis::RatedConductor rated_conductor(const casefile::Scene& scene);
+
 Fits fit_points(const casefile::Scene& scene, const std::vector<PointRow>& rows);
 /// Where d/sqrt(m RTS) is more than three times off Noiseux's similarity for this conductor.
 std::optional<std::string> warning_of_common_factor(const casefile::Scene& scene);

@@ -26,7 +26,7 @@ using Components = std::array<double, 3>;  ///< along x, y, z
 /// How a hanging span hangs.
 struct Rest {
   double unstressed_length = 0;                                               ///< [m]
-  std::optional<double> sag{}, catenary_sag{};                                ///< [m]
+  std::optional<double> sag{}, catenary_sag{}, swing{};                       ///< [m]
   std::optional<double> horizontal_tension{}, catenary_horizontal_tension{};  ///< [N]
 };
 /// Nothing where the span does not hang.
@@ -37,6 +37,7 @@ void members(V& v, Rest& r) {
   v.value("unstressed_length_m", r.unstressed_length, {.what = "the length of the span without tension"});
   v.value("sag_m", r.sag, {.what = "the sag below the chord", .shown = "sag"});
   v.value("catenary_sag_m", r.catenary_sag, {.what = "the sag of a flexible cable"});
+  v.value("swing_m", r.swing, {.what = "how far a steady wind swings it out, along z", .shown = "swing in the wind"});
   v.value("horizontal_tension_N", r.horizontal_tension,
           {.what = "the horizontal component of the tension", .shown = "horizontal tension"});
   v.value("catenary_horizontal_tension_N", r.catenary_horizontal_tension, {.what = "that of a flexible cable"});

@@ -68,10 +68,12 @@ struct Outcome {
   results::Value summary = results::Value::object();
   std::vector<results::NamedTable> tables;
   std::vector<std::string> streamed;  ///< tables that are in the folder already, in full
+  std::vector<std::string> written;   ///< other files that are in the folder already
   std::vector<results::Figure> figures;
   std::vector<results::ShownTable> shown;
   std::vector<results::Highlight> highlights;
   std::vector<std::string> warnings;
+  std::vector<std::string> findings;  ///< what was found, in sentences, with what must be known beside it
   Cost cost;
 
   /// The members of a record, among those of the summary.

@@ -6,6 +6,7 @@
 /// a solver likes, and `commit` alone moves it on. It acts on states in motion; in a static analysis it is not there.
 
 #include "strandyn/core/archive.hpp"
+#include "strandyn/math/chain_matrix.hpp"
 
 namespace strandyn::system {
 
@@ -23,6 +24,9 @@ class Attachment {
   virtual ~Attachment() = default;
   /// f += what it asks of its node, for a trial state at a time [s]. [N], [N m]
   virtual void add_force(const State& state, double time, double* f) const = 0;
+  /// K += about what the force changes with the motion of its node in the step of the last `add_force`: Newton's method
+  /// takes fewer rounds with it.
+  virtual void add_tangent(math::ChainMatrix& /*K*/) const {}
   /// Accepts the state as the end of a step.
   virtual AttachedEnergy commit(const State& state, double time) = 0;
   virtual void archive(Archive& a) = 0;

@@ -2,7 +2,7 @@
 /// \file What a scene does: forces, tangents and energies of the chain, and the history of its sections.
 ///
 ///     r(u, v, v'; t, drives) = M(u) v' + g(u, v) + f_int(u; history) + C v + F_air(v) - F_wind(u, v, v')
-///                              - f_ext(t, u; drives) = 0
+///                              + F_hung(u, v, v') - f_ext(t, u; drives) = 0
 /// with u the displacements and rotations of all nodes, supports included: a held unknown keeps its place in the
 /// vectors, its equation reads u = 0, or u = what a prescribed motion says. Unknowns without mass (rotations, unless
 /// they carry rotary inertia) are algebraic.
@@ -243,8 +243,9 @@ class System {
   const model::Model& model_;
   std::unique_ptr<Chain> chain_;
   std::vector<bool> held_, mass_;
-  std::vector<std::size_t> moved_;  // unknown of each prescribed motion
-  Vector drag_;                     // [N s/m] per unknown
+  std::vector<std::size_t> moved_;   // unknown of each prescribed motion
+  std::vector<model::Body> sprung_;  // those with a spring or a damper to the ground
+  Vector drag_;                      // [N s/m] per unknown
   ProportionalDamping damping_;
   AirOnChain air_on_chain_;
   EccentricBodies eccentric_;

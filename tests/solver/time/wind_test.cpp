@@ -1,10 +1,12 @@
 // A span in the wind: what locked-in vortices and wakes give, and where the vibration settles.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
 #include "solver/vibration.hpp"
+#include "strandyn/air/lock_in.hpp"
 #include "strandyn/observe/cycles.hpp"
 #include "support/check_close.hpp"
 
@@ -169,6 +171,7 @@ struct OnSprings {
   double mass_ratio = 0;     // [-] mass over that of the air in its place
   double reduced_speed = 0;  // [-] U/(f_n D), f_n with the air that moves along
   double damping_ratio = 0;  // [-]
+  math::TimeFunction history = math::Constant{};
 };
 constexpr double frequency = 5;  // [Hz] f_n
 constexpr int cycles_of_run = 60, steps_per_cycle = 400;
@@ -177,12 +180,35 @@ model::WakeWind wind_of(const OnSprings& on) {
   model::WakeWind wind;
   wind.wake.diameter = diameter;
   wind.speed = on.reduced_speed * frequency * diameter;
+  wind.history = on.history;
   wind.shear = {1, 1};
   return wind;
 }
 
-/// [m] largest displacement in the last ten periods of f_n, from rest with q = 2.
-double by_chain(const OnSprings& on) {
+/// [m] the largest displacement in the last ten periods of f_n before each of the times that are looked at.
+class Largest final : public observe::Observer {
+ public:
+  explicit Largest(const std::vector<double>& looks) : looks_(looks), values(looks.size(), 0.0) {}
+  void begin(const system::System&, const observe::StepRecord&) override {}
+  void step(const system::System& s, const observe::StepRecord& record) override {
+    see(record.time, s.model().displacement(record.u.data(), 1).y());
+  }
+  void see(double time, double y) {
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+      if (time > looks_[i] || time < looks_[i] - 10 / frequency) continue;
+      values[i] = std::max(values[i], std::abs(y));
+    }
+  }
+
+ private:
+  std::vector<double> looks_;  // [s]
+
+ public:
+  std::vector<double> values;
+};
+
+/// From rest with q = 2.
+std::vector<double> by_chain(const OnSprings& on, const std::vector<double>& looks) {
   const model::WakeWind wind = wind_of(on);
   const double air = wind.wake.mass_of_air();
   const double mass = on.mass_ratio * air;
@@ -206,32 +232,24 @@ double by_chain(const OnSprings& on) {
   const system::Vector rest = system.make_vector();
   system.begin(rest);
   system.set_wind(system::make_wake_wind(model));
-  class Largest final : public observe::Observer {
-   public:
-    void begin(const system::System&, const observe::StepRecord&) override {}
-    void step(const system::System& s, const observe::StepRecord& record) override {
-      if (record.time < (cycles_of_run - 10) / frequency) return;
-      value = std::max(value, std::abs(s.model().displacement(record.u.data(), 1).y()));
-    }
-    double value = 0;
-  } largest;
+  Largest largest(looks);
   observe::Observer* const observers[] = {&largest};
   const double step = 1 / (frequency * steps_per_cycle);
-  const auto run =
-      integrate(system, {.u = rest, .v = rest}, {.step = step, .end_time = cycles_of_run / frequency, .stop = {}},
-                solver::GeneralizedAlpha{.rho_inf = 1}, observers);
+  const auto run = integrate(system, {.u = rest, .v = rest}, {.step = step, .end_time = looks.back(), .stop = {}},
+                             solver::GeneralizedAlpha{.rho_inf = 1}, observers);
   CHECK(run.ending == solver::Ending::finished);
-  return largest.value;
+  return largest.values;
 }
 
 /// The two equations by themselves, the classical Runge-Kutta method with many steps.
-double by_two_equations(const OnSprings& on) {
-  const air::WakeModel wake = wind_of(on).wake;
-  const double speed = wind_of(on).speed;
+std::vector<double> by_two_equations(const OnSprings& on, const std::vector<double>& looks) {
+  const model::WakeWind wind = wind_of(on);
+  const air::WakeModel& wake = wind.wake;
   const double m = (on.mass_ratio + 1) * wake.mass_of_air(), omega = 2 * pi * frequency;
-  const double omega_f = 2 * pi * wake.strouhal * speed / wake.diameter;
   using State = Eigen::Vector4d;  // y, y', q, q'
-  const auto rate = [&](const State& s) {
+  const auto rate = [&](double time, const State& s) {
+    const double speed = wind.speed * math::evaluate(wind.history, time);
+    const double omega_f = 2 * pi * wake.strouhal * speed / wake.diameter;
     const double force = wake.density * speed * speed * wake.diameter * wake.lift / 4 * s(2) -
                          wake.stall * omega_f * wake.density * wake.diameter * wake.diameter * s(1);
     const double a = force / m - 2 * on.damping_ratio * omega * s(1) - omega * omega * s(0);
@@ -242,13 +260,23 @@ double by_two_equations(const OnSprings& on) {
   State s(0, 0, 2, 0);
   const int steps = 2000;
   const double h = 1 / (frequency * steps);
-  double largest = 0;
-  for (int i = 1; i <= cycles_of_run * steps; ++i) {
-    const State k1 = rate(s), k2 = rate(s + h / 2 * k1), k3 = rate(s + h / 2 * k2), k4 = rate(s + h * k3);
+  Largest largest(looks);
+  for (int i = 0; i * h < looks.back(); ++i) {
+    const double t = i * h;
+    const State k1 = rate(t, s), k2 = rate(t + h / 2, s + h / 2 * k1), k3 = rate(t + h / 2, s + h / 2 * k2),
+                k4 = rate(t + h, s + h * k3);
     s += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    if (i >= (cycles_of_run - 10) * steps) largest = std::max(largest, std::abs(s(0)));
+    largest.see(t + h, s(0));
   }
-  return largest;
+  return largest.values;
+}
+
+std::vector<air::LockedIn> by_one_harmonic(const OnSprings& on, double reduced_speed) {
+  const air::WakeModel wake = wind_of(on).wake;
+  return air::lock_in(
+      wake,
+      {.mass = (on.mass_ratio + 1) * wake.mass_of_air(), .frequency = frequency, .damping_ratio = on.damping_ratio},
+      reduced_speed * frequency * diameter);
 }
 
 }  // namespace
@@ -260,7 +288,44 @@ TEST_CASE(
       const OnSprings on{.mass_ratio = mass_ratio, .reduced_speed = reduced_speed, .damping_ratio = 1e-3};
       CAPTURE(mass_ratio);
       CAPTURE(reduced_speed);
-      check_close(by_chain(on), by_two_equations(on), {.relative = 5e-3});
+      const std::vector<double> end = {cycles_of_run / frequency};
+      check_close(by_chain(on, end)[0], by_two_equations(on, end)[0], {.relative = 5e-3});
     }
+  }
+}
+
+TEST_CASE("wind: a wind that rises and falls leads a cylinder along the branches of the two coupled equations" *
+          doctest::test_suite("slow")) {
+  const std::vector<double> speeds = {4.5, 5, 5.5, 6, 6.5, 7, 8, 7, 6.5, 6, 5.5, 5, 4.5};
+  for (const double mass_ratio : {2.0, 20.0, 1600.0}) {
+    // From one speed to the next in five periods; then it stands still for fifty.
+    OnSprings on{.mass_ratio = mass_ratio, .reduced_speed = 1, .damping_ratio = 1e-3};
+    math::Tabulated history;
+    std::vector<double> looks;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      for (const double cycles : {55.0 * static_cast<double>(i), 55.0 * static_cast<double>(i) + 50}) {
+        history.time.push_back(cycles / frequency);
+        history.value.push_back(speeds[i]);
+      }
+      looks.push_back(history.time.back());
+    }
+    on.history = history;
+    const std::vector<double> chain = by_chain(on, looks), equations = by_two_equations(on, looks);
+    std::string table = fmt::format(
+        "mass ratio {}: U/(f_n D), amplitude over D of the chain, of the equations, of one "
+        "harmonic\n",
+        mass_ratio);
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      CAPTURE(mass_ratio);
+      CAPTURE(speeds[i]);
+      CAPTURE(i);
+      check_close(chain[i], equations[i], {.relative = 5e-3});
+      table += fmt::format("{:4.1f}  {:.5f}  {:.5f} ", speeds[i], chain[i] / diameter, equations[i] / diameter);
+      for (const air::LockedIn& branch : by_one_harmonic(on, speeds[i])) {
+        table += fmt::format("  {:.5f} ({:.3f} Hz)", branch.amplitude / diameter, branch.frequency);
+      }
+      table += "\n";
+    }
+    MESSAGE(table);
   }
 }
