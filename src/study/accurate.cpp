@@ -43,6 +43,11 @@ class Accurate final : public Analysis {
     if (choice_.is_refined()) choose();
     inner_->run(hooks, outcome);
     outcome.cost.add(cost);
+    if (std::isfinite(estimate.relative())) {
+      outcome.findings.push_back(
+          fmt::format("The dissipation is within an estimated {:.2g} % of the converged one ({:.2g} % were asked for).",
+                      100 * estimate.relative(), 100 * target_));
+    }
     outcome.tell(AccuracySummary{.estimate = estimate, .chosen = choice_.keys()});
     if (estimate.relative() > target_) outcome.warnings.push_back(words_of(estimate));
   }

@@ -62,10 +62,14 @@ void add_profile(const observe::Profile& profile, Outcome& outcome) {
 
   results::Figure loss{.name = "dissipation_profile",
                        .title = "Where the energy is lost along the span",
+                       .kind = "points",
                        .table = file,
                        .x = "x_m",
                        .y = {"friction_J_per_m"},
-                       .caption = "Friction loss per metre and cycle, mean of the last cycles."};
+                       .y_scale = "log",
+                       .caption =
+                           "Friction loss per metre and cycle, mean of the last cycles; where nothing is lost "
+                           "there is no point."};
   const auto where = concentration(profile.position, profile.friction);
   if (where) {
     loss.caption += fmt::format(" Half of it lies within {:.2g} m of the supports, on {:.2g} % of the length.",
@@ -78,6 +82,8 @@ void add_profile(const observe::Profile& profile, Outcome& outcome) {
     const double start = profile.position.front();
     loss.name = "dissipation_near_support";
     loss.title = "Where the energy is lost beside the support";
+    loss.kind = "line";
+    loss.y_scale = "linear";
     loss.caption = "The same loss beside the first support.";
     loss.x_range = {start, start + shown_halves * where->half};
     outcome.figures.push_back(loss);

@@ -16,6 +16,7 @@
 #include "outlook.hpp"
 #include "plan.hpp"
 #include "profile.hpp"
+#include "section_loops.hpp"
 #include "share.hpp"
 #include "steady_row.hpp"
 #include "strandyn/observe/fundamental.hpp"
@@ -157,7 +158,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   if (hooks.announce) hooks.announce(words_of(plan, integration_));
 
   const double loop_length = span.built.loop_length(plan.frequency);
-  warn_of_coarse_mesh(span, loop_length, outcome);
+  if (!scene_.span->elements_per_loop) warn_of_coarse_mesh(span, loop_length, outcome);  // else its error is estimated
   const double duration = static_cast<double>(plan.cycles) / plan.frequency;
   if (plan.decays) warn_of_blows(built_, plan.drives, duration, outcome);
   const analysis::SpanNumbers numbers = numbers_of(plan, scene_);
@@ -174,6 +175,8 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   std::vector<observe::Observer*> observers = {&cycles, &log, &fundamental, &progress, &check};
   std::optional<ClampObserver> clamps;
   if (scene_.clamps) observers.push_back(&clamps.emplace(scene_, span, plan.frequency));
+  SectionLoops loops(plan.frequency, loop_length);
+  observers.push_back(&loops);
   std::optional<FieldWriter> fields;
   if (scene_.output) observers.push_back(&fields.emplace(scene_, hooks, plan.frequency));
   bool interrupted = false;
@@ -209,6 +212,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   if (plan.decays) add_decay(log.rows(), numbers, outcome);
   if (clamps && cycles.count() > 0) clamps->add_to(cycles.cycles().back().antinode_amplitude, outcome);
   add_profile(profile, outcome);
+  loops.add_to(outcome);
   if (fields) fields->end(outcome);
   if (cycles.count() > 0) add_motion(span, fundamental, outcome);
   outcome.ended_early = interrupted || run.ending == solver::Ending::failed;
