@@ -172,13 +172,14 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   observe::Fundamental fundamental({.period = 1 / plan.frequency});
   ProgressReport progress(plan, hooks, cycles);
   observe::CheckpointCheck check(cycles.ledger(), duration);
-  std::vector<observe::Observer*> observers = {&cycles, &log, &fundamental, &progress, &check};
+  std::vector<observe::Observer*> observers = {&cycles, &log, &fundamental, &progress};
   std::optional<ClampObserver> clamps;
   if (scene_.clamps) observers.push_back(&clamps.emplace(scene_, span, plan.frequency));
   SectionLoops loops(plan.frequency, loop_length);
   observers.push_back(&loops);
   std::optional<FieldWriter> fields;
   if (scene_.output) observers.push_back(&fields.emplace(scene_, hooks, plan.frequency));
+  observers.push_back(&check);  // what it reads last judges all before
   bool interrupted = false;
   bool steady = false;
   std::size_t judged = 0;
