@@ -167,6 +167,6 @@ install_what_is_optional() {
     as_root=(sudo -n)
   fi
   "${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get install --no-install-recommends -y \
-    libhdf5-dev python3-numpy python3-h5py python3-xarray >/dev/null 2>&1 </dev/null ||
+    libhdf5-dev python3-numpy python3-h5py mkdocs >/dev/null 2>&1 </dev/null ||
     say "without libhdf5-dev and python3-numpy: what they are for is not tested"
 }

@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   app::RunArguments arguments;
   std::string name, shell;
   std::filesystem::path folder, wires;
-  bool of_results = false;
+  bool of_results = false, of_keys = false;
   std::function<ExitCode()> verb;
 
   CLI::App* run = add_case_verb(program, "run", "run a case and write its results", arguments);
@@ -111,8 +111,16 @@ int main(int argc, char** argv) {
       [&] { verb = [&] { return wires.empty() ? app::conductors(name) : app::import_conductor(wires); }; });
 
   CLI::App* schema = program.add_subcommand("schema", "JSON Schema of a case file, for editors");
-  schema->add_flag("--results", of_results, "what the members of summary.json mean instead, in Markdown");
-  schema->callback([&] { verb = [&] { return app::schema(of_results); }; });
+  CLI::Option* for_results =
+      schema->add_flag("--results", of_results, "what the members of summary.json mean instead, in Markdown");
+  schema->add_flag("--keys", of_keys, "the keys as a page to read, in Markdown")->excludes(for_results);
+  schema->callback([&] {
+    verb = [&] {
+      return app::schema(of_results ? app::SchemaForm::results
+                         : of_keys  ? app::SchemaForm::keys
+                                    : app::SchemaForm::json);
+    };
+  });
 
   CLI::App* complete =
       program.add_subcommand("completion", "a script that completes verbs, options and conductors in a shell");

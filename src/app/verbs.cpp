@@ -95,8 +95,10 @@ ExitCode import_conductor(const std::filesystem::path& csv) {
   return ExitCode::done;
 }
 
-ExitCode schema(bool of_results) {
-  print_raw(of_results ? study::outputs_reference() : casefile::case_schema() + "\n");
+ExitCode schema(SchemaForm form) {
+  print_raw(form == SchemaForm::results ? study::outputs_reference()
+            : form == SchemaForm::keys  ? casefile::key_reference()
+                                        : casefile::case_schema() + "\n");
   return ExitCode::done;
 }
 

@@ -49,7 +49,8 @@ ExitCode describe(const RunArguments& arguments);
 ExitCode conductors(const std::string& name);
 /// The table [conductor] of a CSV file of wires per layer.
 ExitCode import_conductor(const std::filesystem::path& csv);
-ExitCode schema(bool of_results);
+enum class SchemaForm { json, results, keys };
+ExitCode schema(SchemaForm form);
 ExitCode verify(const VerifyArguments& arguments);
 /// Hard cases, each with the bound of physics that must hold; `names` after the first select rows.
 ExitCode verify_extremes(const VerifyArguments& arguments);

@@ -27,6 +27,7 @@ expect_code 2 "an unknown conductor" "$program" conductors curlow
 expect_said "curlew"
 expect_code 0 "schema" "$program" schema
 expect_said "steps_per_cycle"
+"$program" schema --keys | cmp -s - docs/keys.md || fail "docs/keys.md is not what schema --keys prints"
 "$program" schema --results | cmp -s - docs/outputs.md || fail "docs/outputs.md is not what schema --results prints"
 expect_code 0 "report" "$program" report "$scratch/a"
 [ -s "$scratch/a/report.html" ] || fail "no page"

@@ -8,4 +8,7 @@ namespace strandyn::casefile {
 
 std::string case_schema();
 
+/// The same as a page of Markdown for people: a table of keys for each table of the file.
+std::string key_reference();
+
 }  // namespace strandyn::casefile
