@@ -156,6 +156,7 @@ Fits fit_points(const Scene& scene, const std::vector<PointRow>& rows) {
   const auto friction = points_to_fit(scene, rows, friction_of);
   const analysis::PowerLawFit fit = analysis::fit_power_law(whole);
   Fits fits{.fit = row_of(fit), .published = published(scene, fit, whole)};
+  fits.fit.leads = true;
   fits.law = same_powers(damping, whole) ? fit.law() : analysis::fit_power_law(damping).law();
   if (!same_powers(friction, whole)) fits.friction = fit_row(friction);
   fits.warning = warning_of_common_factor(scene);

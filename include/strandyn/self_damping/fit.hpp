@@ -22,21 +22,23 @@ struct FitRow {
   double scatter = 0;
   std::size_t points = 0, without_loss = 0;
   std::optional<double> no_slip_below{};
+  bool leads = false;  ///< is it the one of several that a reader looks at first
 };
 template <class V>
 void members(V& v, FitRow& f) {
-  v.value("k", f.k, {.what = "the factor, for A in m, f in Hz, T in kN, P in W/m", .shown = "fit: factor k"});
+  const auto shown = [&](const char* name) { return f.leads ? name : nullptr; };
+  v.value("k", f.k, {.what = "the factor, for A in m, f in Hz, T in kN, P in W/m", .shown = shown("fit: factor k")});
   v.value("k_interval_95", f.k_interval, {.what = "its 95 % interval"});
-  v.value("l", f.l, {.what = "the exponent of the amplitude", .shown = "fit: amplitude exponent l"});
+  v.value("l", f.l, {.what = "the exponent of the amplitude", .shown = shown("fit: amplitude exponent l")});
   v.value("l_standard_error", f.l_error, {.what = "its standard error"});
   v.value("l_interval_95", f.l_interval, {.what = "its 95 % interval"});
-  v.value("m", f.m, {.what = "the exponent of the frequency", .shown = "fit: frequency exponent m"});
+  v.value("m", f.m, {.what = "the exponent of the frequency", .shown = shown("fit: frequency exponent m")});
   v.value("m_standard_error", f.m_error, {.what = "its standard error"});
   v.value("m_interval_95", f.m_interval, {.what = "its 95 % interval"});
-  v.value("n", f.n, {.what = "the exponent of the tension", .shown = "fit: tension exponent n"});
+  v.value("n", f.n, {.what = "the exponent of the tension", .shown = shown("fit: tension exponent n")});
   v.value("n_standard_error", f.n_error, {.what = "its standard error"});
   v.value("n_interval_95", f.n_interval, {.what = "its 95 % interval"});
-  v.value("r2", f.r2, {.what = "R^2 of ln P", .shown = "fit: R2"});
+  v.value("r2", f.r2, {.what = "R^2 of ln P", .shown = shown("fit: R2")});
   v.value("scatter", f.scatter, {.what = "rms residual of ln P"});
   v.value("points", f.points, {.what = "that were fitted"});
   v.value("points_without_loss", f.without_loss, {.what = "that lose nothing and were left out"});
