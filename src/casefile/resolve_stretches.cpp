@@ -59,6 +59,10 @@ void resolve_stretches(Scene& scene) {
              fmt::format("give a distance above {} and at most {} metres", stretch.from, *span.length));
     }
     last = stretch.to;
+    if (stretch.armour && stretch.armour->bonded && !scene.conductor) {
+      refuse(scene.source, path + ".armour_rods.bonded", "needs the diameter of the conductor, and there is none",
+             "give [conductor], or leave it out: loose rods");
+    }
     if (!stretch.conductor) continue;
     check_two_conductors(scene, path);
     resolve_conductor(*stretch.conductor, scene.source, path + ".conductor");
