@@ -22,7 +22,11 @@ constexpr std::size_t stride_for(std::size_t elements) {
 }  // namespace
 
 PlanarLanes::PlanarLanes(std::span<const PlanarElement> elements, double mass_per_length)
-    : elements_(elements.size()), stride_(stride_for(elements.size())), rows_(row_count * stride_, 0.0) {
+    : elements_(elements.size()),
+      stride_(stride_for(elements.size())),
+      rows_(row_count * stride_, 0.0),
+      stiffness_(stiffness_entries * stride_, 0.0),
+      inertia_(inertia_entries * stride_, 0.0) {
   // What only fills a register has a length.
   std::fill_n(row(span_x), stride_, 1.0);
   std::fill_n(row(length), stride_, 1.0);
@@ -74,6 +78,35 @@ PlanarKinematics PlanarLanes::kinematics(std::size_t e) const {
   return k;
 }
 
+void PlanarLanes::find_tangents(const double* N, const double* M, const PointTangents& t) {
+  find_stiffness({rows_.data(), stride_, elements_}, N, M, {t.N_eps, t.N_chi, t.M_eps, t.M_chi}, stiffness_.data());
+}
+
+PlanarMatrix PlanarLanes::tangent(std::size_t e) const {
+  const double* tile = stiffness_.data() + place_in_tile(e, 0, stiffness_entries);
+  const auto k = [tile](std::size_t entry) { return tile[entry * most_lanes]; };
+  PlanarMatrix K;
+  for (int i = 0; i < 2; ++i) {
+    const double row_sign = i == 0 ? -1 : 1;
+    const auto row = static_cast<std::size_t>(2 * i);
+    for (int j = 0; j < 2; ++j) {
+      const double column_sign = j == 0 ? -1 : 1;
+      const auto column = static_cast<std::size_t>(2 * j);
+      const double sign = row_sign * column_sign;
+      K(3 * i, 3 * j) = sign * k(ends_xx);
+      K(3 * i, 3 * j + 1) = sign * k(ends_xy);
+      K(3 * i + 1, 3 * j) = sign * k(ends_yx);
+      K(3 * i + 1, 3 * j + 1) = sign * k(ends_yy);
+      K(3 * i, 3 * j + 2) = row_sign * k(by_turn_x_1 + column);
+      K(3 * i + 1, 3 * j + 2) = row_sign * k(by_turn_y_1 + column);
+      K(3 * i + 2, 3 * j) = column_sign * k(of_turn_x_1 + row);
+      K(3 * i + 2, 3 * j + 1) = column_sign * k(of_turn_y_1 + row);
+      K(3 * i + 2, 3 * j + 2) = k(turns_11 + row + static_cast<std::size_t>(j));
+    }
+  }
+  return K;
+}
+
 void PlanarLanes::find_directions(const double* u) {
   double* turns = row(turned);
   bool same = directions_known_;
@@ -90,6 +123,35 @@ void PlanarLanes::add_inertia_force(const double* u, const double* v, const doub
   take(acceleration_x, a);
   find_inertia_force({rows_.data(), stride_, elements_});
   add_to_nodes(force_x_1, f);
+}
+
+void PlanarLanes::find_inertia_tangents(const double* u, const double* v, const double* a,
+                                        const InertiaFactors& factors) {
+  find_directions(u);
+  take(rate_x, v);
+  take(acceleration_x, a);
+  find_inertia_tangent({rows_.data(), stride_, elements_}, factors, inertia_.data());
+}
+
+PlanarMatrix PlanarLanes::inertia_tangent(std::size_t e) const {
+  const double* tile = inertia_.data() + place_in_tile(e, 0, inertia_entries);
+  const auto k = [tile](std::size_t entry) { return tile[entry * most_lanes]; };
+  PlanarMatrix K;
+  for (int i = 0; i < 2; ++i) {
+    const auto row = static_cast<std::size_t>(4 * i);
+    for (int j = 0; j < 2; ++j) {
+      const auto column = static_cast<std::size_t>(2 * j);
+      const double mass = k(i == j ? near_node : far_node);
+      K(3 * i, 3 * j) = K(3 * i + 1, 3 * j + 1) = mass;
+      K(3 * i, 3 * j + 1) = K(3 * i + 1, 3 * j) = 0;
+      K(3 * i, 3 * j + 2) = k(node_1_by_turn_x_1 + row + column);
+      K(3 * i + 1, 3 * j + 2) = k(node_1_by_turn_y_1 + row + column);
+      K(3 * i + 2, 3 * j) = k(turn_1_by_node_x_1 + row + column);
+      K(3 * i + 2, 3 * j + 1) = k(turn_1_by_node_y_1 + row + column);
+      K(3 * i + 2, 3 * j + 2) = k(inertia_turns_11 + row / 2 + static_cast<std::size_t>(j));
+    }
+  }
+  return K;
 }
 
 double PlanarLanes::kinetic_energy(const double* u, const double* v) {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "strandyn/beam/rigid_inertia.hpp"
+
 namespace strandyn::beam::planar_lanes_kernel {
 
 /// Lanes of a register at most: rows are read and written in whole registers.
@@ -52,6 +54,63 @@ enum Row : std::size_t {
   row_count
 };
 
+/// Numbers of an element's stiffness, from which its matrix is put together: ends move as one against the other.
+enum StiffnessEntry : std::size_t {
+  ends_xx,  ///< [N/m] forces on node 2 by its displacements
+  ends_xy,
+  ends_yx,
+  ends_yy,
+  by_turn_x_1,  ///< [N] forces on node 2 by either rotation
+  by_turn_y_1,
+  by_turn_x_2,
+  by_turn_y_2,
+  of_turn_x_1,  ///< [N] either moment by the displacements of node 2
+  of_turn_y_1,
+  of_turn_x_2,
+  of_turn_y_2,
+  turns_11,  ///< [N m] moments by rotations
+  turns_12,
+  turns_21,
+  turns_22,
+  stiffness_entries
+};
+/// And of its inertia: the same, but displacements of both nodes.
+enum InertiaEntry : std::size_t {
+  near_node,  ///< [kg/s^2] force on a node by its own displacement, and by that of the other
+  far_node,
+  node_1_by_turn_x_1,  ///< [kg m/s^2]
+  node_1_by_turn_y_1,
+  node_1_by_turn_x_2,
+  node_1_by_turn_y_2,
+  node_2_by_turn_x_1,
+  node_2_by_turn_y_1,
+  node_2_by_turn_x_2,
+  node_2_by_turn_y_2,
+  turn_1_by_node_x_1,
+  turn_1_by_node_y_1,
+  turn_1_by_node_x_2,
+  turn_1_by_node_y_2,
+  turn_2_by_node_x_1,
+  turn_2_by_node_y_1,
+  turn_2_by_node_x_2,
+  turn_2_by_node_y_2,
+  inertia_turns_11,  ///< [kg m^2/s^2]
+  inertia_turns_12,
+  inertia_turns_21,
+  inertia_turns_22,
+  inertia_entries
+};
+
+/// Where an entry of an element lies: tiles of `most_lanes` elements, entry by entry.
+constexpr std::size_t place_in_tile(std::size_t element, std::size_t entry, std::size_t entries) {
+  return (element / most_lanes * entries + entry) * most_lanes + element % most_lanes;
+}
+
+/// Derivatives of the resultants at the points, as `Rows` of points.
+struct PointTangents {
+  const double *N_eps, *N_chi, *M_eps, *M_chi;
+};
+
 /// All rows of a chain; whole registers of elements, and one node more than elements.
 struct Rows {
   double* data;
@@ -61,8 +120,10 @@ struct Rows {
 
 void find_kinematics(const Rows& rows, double* eps, double* chi);
 void find_internal_force(const Rows& rows, const double* N, const double* M);
+void find_stiffness(const Rows& rows, const double* N, const double* M, const PointTangents& t, double* tiles);
 void find_directions(const Rows& rows);
 void find_inertia_force(const Rows& rows);
+void find_inertia_tangent(const Rows& rows, const InertiaFactors& factors, double* tiles);
 void find_kinetic_energy(const Rows& rows);
 
 }  // namespace strandyn::beam::planar_lanes_kernel

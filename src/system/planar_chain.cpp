@@ -23,10 +23,6 @@ Eigen::Map<PlanarVector> of_element(double* all, std::size_t e) {
   return Eigen::Map<PlanarVector>(all + e * B);
 }
 
-beam::PlanarMotion motion_of_element(const State& m, std::size_t e) {
-  return {.q = of_element(m.u, e), .v = of_element(m.v, e), .a = of_element(m.a, e)};
-}
-
 std::vector<beam::PlanarElement> planar(const std::vector<beam::SpatialElement>& elements) {
   std::vector<beam::PlanarElement> in_plane;
   for (const beam::SpatialElement& element : elements) {
@@ -67,17 +63,12 @@ class PlanarChain final : public Chain {
 
   void add_stiffness(const section::Field& stresses, const section::TangentField& tangents, Matrix& K) const override {
     auto& blocks = K.as<B>();
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      beam::PlanarSectionTangent t;
-      for (std::size_t g = 0; g < gauss_points; ++g) {
-        const std::size_t point = e * gauss_points + g;
-        t.N_eps[g] = tangents(axial, axial)[point];
-        t.N_chi[g] = tangents(axial, bending2)[point];
-        t.M_eps[g] = tangents(bending2, axial)[point];
-        t.M_chi[g] = tangents(bending2, bending2)[point];
-      }
-      blocks.add_element(e, beam::tangent(elements_[e], lanes_.kinematics(e), resultants(stresses, e), t));
-    }
+    lanes_.find_tangents(stresses[axial].data(), stresses[bending2].data(),
+                         {.N_eps = tangents(axial, axial).data(),
+                          .N_chi = tangents(axial, bending2).data(),
+                          .M_eps = tangents(bending2, axial).data(),
+                          .M_chi = tangents(bending2, bending2).data()});
+    for (std::size_t e = 0; e < elements_.size(); ++e) blocks.add_element(e, lanes_.tangent(e));
   }
 
   void add_inertia_force(const State& m, double* f) const override {
@@ -89,10 +80,8 @@ class PlanarChain final : public Chain {
     auto& blocks = K.as<B>();
     add_diagonal(factors.acceleration, K);
     if (!consistent_) return;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      blocks.add_element(
-          e, beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e), factors));
-    }
+    lanes_.find_inertia_tangents(m.u, m.v, m.a, factors);
+    for (std::size_t e = 0; e < elements_.size(); ++e) blocks.add_element(e, lanes_.inertia_tangent(e));
   }
 
   void add_mass(const double* u, Matrix& M) const override {
@@ -119,15 +108,6 @@ class PlanarChain final : public Chain {
   }
 
  private:
-  static beam::PlanarResultants resultants(const section::Field& stresses, std::size_t e) {
-    beam::PlanarResultants r;
-    for (std::size_t g = 0; g < gauss_points; ++g) {
-      r.N[g] = stresses[axial][e * gauss_points + g];
-      r.M[g] = stresses[bending2][e * gauss_points + g];
-    }
-    return r;
-  }
-
   void add_diagonal(double factor, Matrix& K) const {
     auto& blocks = K.as<B>();
     for (std::size_t node = 0; node < blocks.nodes(); ++node) {

@@ -59,6 +59,10 @@ void add(const PlanarVector& force, std::size_t e, std::vector<double>& f) {
   Eigen::Map<PlanarVector>(f.data() + 3 * e) += force;
 }
 
+void check_same(const PlanarMatrix& K, const PlanarMatrix& expected) {
+  check_close((K - expected).norm(), 0, {.absolute = 1e-14 * expected.norm()});
+}
+
 void check_same(const std::vector<double>& values, const std::vector<double>& expected) {
   REQUIRE(values.size() == expected.size());
   double size = 0;
@@ -122,6 +126,32 @@ TEST_CASE("planar lanes: inertia is that of every element by itself, at one posi
       check_close(lanes.kinetic_energy(chain.u.data(), chain.v.data()), energy, {.relative = 1e-13});
       // One rotation alone is another position.
       chain.u[3 * static_cast<std::size_t>(position) % chain.u.size() + 2] += 0.3;
+    }
+  }
+}
+
+TEST_CASE("planar lanes: tangents are those of every element by itself, for any section and any factors") {
+  for (const std::size_t elements : {1u, 4u, 7u}) {
+    Chain chain(static_cast<unsigned>(elements), elements);
+    PlanarLanes lanes(chain.element, inertia.mass);
+    strandyn::AlignedVector eps = chain.points(1);
+    strandyn::AlignedVector chi = eps;
+    const strandyn::AlignedVector N = chain.points(5), M = chain.points(5);
+    const strandyn::AlignedVector N_eps = chain.points(9), N_chi = chain.points(9), M_eps = chain.points(9),
+                                  M_chi = chain.points(9);
+    const InertiaFactors factors{.acceleration = 1.3, .velocity = 0.7, .position = 1.9};
+    lanes.find_strains(chain.u.data(), eps.data(), chi.data());
+    lanes.find_tangents(N.data(), M.data(),
+                        {.N_eps = N_eps.data(), .N_chi = N_chi.data(), .M_eps = M_eps.data(), .M_chi = M_chi.data()});
+    lanes.find_inertia_tangents(chain.u.data(), chain.v.data(), chain.a.data(), factors);
+    for (std::size_t e = 0; e < elements; ++e) {
+      const PlanarElement& element = chain.element[e];
+      const PlanarMotion m{.q = Chain::of(chain.u, e), .v = Chain::of(chain.v, e), .a = Chain::of(chain.a, e)};
+      const auto two = [e](const strandyn::AlignedVector& x) { return std::array{x[2 * e], x[2 * e + 1]}; };
+      check_same(lanes.tangent(e),
+                 tangent(element, kinematics(element, m.q), {.N = two(N), .M = two(M)},
+                         {.N_eps = two(N_eps), .N_chi = two(N_chi), .M_eps = two(M_eps), .M_chi = two(M_chi)}));
+      check_same(lanes.inertia_tangent(e), consistent_inertia_tangent(element, inertia, m, factors));
     }
   }
 }

@@ -24,9 +24,20 @@ class PlanarLanes {
   void add_internal_force(const double* N, const double* M, double* f);
   /// At the position of `find_strains`.
   PlanarKinematics kinematics(std::size_t element) const;
+  /// Derivatives of the resultants at the same points: N and M by eps and chi.
+  struct PointTangents {
+    const double *N_eps, *N_chi, *M_eps, *M_chi;
+  };
+  /// Finds `tangent` of every element, at the position of `find_strains`.
+  void find_tangents(const double* N, const double* M, const PointTangents& t);
+  PlanarMatrix tangent(std::size_t element) const;
 
   /// Adds the consistent inertia force. It takes a position of its own.
   void add_inertia_force(const double* u, const double* v, const double* a, double* f);
+  /// Finds `inertia_tangent` of every element: derivatives by positions, velocities, accelerations, times their
+  /// factors.
+  void find_inertia_tangents(const double* u, const double* v, const double* a, const InertiaFactors& factors);
+  PlanarMatrix inertia_tangent(std::size_t element) const;
   /// [J] of the consistent inertia.
   double kinetic_energy(const double* u, const double* v);
 
@@ -40,6 +51,7 @@ class PlanarLanes {
   std::size_t elements_;
   std::size_t stride_;
   AlignedVector rows_;
+  AlignedVector stiffness_, inertia_;  // of all elements, in tiles
   bool directions_known_ = false;
 };
 
