@@ -2,6 +2,7 @@
 
 #include "chain.hpp"
 #include "strandyn/beam/planar_inertia.hpp"
+#include "strandyn/beam/planar_lanes.hpp"
 
 namespace strandyn::system {
 
@@ -22,8 +23,14 @@ Eigen::Map<PlanarVector> of_element(double* all, std::size_t e) {
   return Eigen::Map<PlanarVector>(all + e * B);
 }
 
-beam::PlanarMotion motion_of_element(const State& m, std::size_t e) {
-  return {.q = of_element(m.u, e), .v = of_element(m.v, e), .a = of_element(m.a, e)};
+std::vector<beam::PlanarElement> planar(const std::vector<beam::SpatialElement>& elements) {
+  std::vector<beam::PlanarElement> in_plane;
+  for (const beam::SpatialElement& element : elements) {
+    in_plane.push_back({.span = element.span.head<2>(),
+                        .length = element.length,
+                        .rest_angle = std::atan2(element.triad(1, 0), element.triad(0, 0))});
+  }
+  return in_plane;
 }
 
 class PlanarChain final : public Chain {
@@ -32,12 +39,8 @@ class PlanarChain final : public Chain {
       : consistent_(model.mass_matrix == model::MassMatrix::consistent),
         mass_per_length_{.mass = model.inertia.mass, .rotary = 0},
         lumped_(Vector::Zero(static_cast<Eigen::Index>(model.unknowns()))),
-        kinematics_(model.elements.size()) {
-    for (const beam::SpatialElement& element : model.elements) {
-      elements_.push_back({.span = element.span.head<2>(),
-                           .length = element.length,
-                           .rest_angle = std::atan2(element.triad(1, 0), element.triad(0, 0))});
-    }
+        elements_(planar(model.elements)),
+        lanes_(elements_, model.inertia.mass) {
     const beam::Inertia at_nodes{.mass = consistent_ ? 0 : model.inertia.mass, .rotary = model.inertia.rotary};
     for (std::size_t e = 0; e < elements_.size(); ++e) {
       of_element(lumped_.data(), e) += beam::lumped_mass(elements_[e], at_nodes);
@@ -51,52 +54,34 @@ class PlanarChain final : public Chain {
   section::Dimension dimension() const override { return section::Dimension::planar; }
 
   void find_strains(const double* u, section::Field& strains) override {
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      kinematics_[e] = beam::kinematics(elements_[e], of_element(u, e));
-      for (std::size_t g = 0; g < gauss_points; ++g) {
-        strains[axial][e * gauss_points + g] = kinematics_[e].eps;
-        strains[bending2][e * gauss_points + g] = kinematics_[e].chi[g];
-      }
-    }
+    lanes_.find_strains(u, strains[axial].data(), strains[bending2].data());
   }
 
   void add_internal_force(const section::Field& stresses, double* f) const override {
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      of_element(f, e) += beam::internal_force(elements_[e], kinematics_[e], resultants(stresses, e));
-    }
+    lanes_.add_internal_force(stresses[axial].data(), stresses[bending2].data(), f);
   }
 
   void add_stiffness(const section::Field& stresses, const section::TangentField& tangents, Matrix& K) const override {
     auto& blocks = K.as<B>();
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      beam::PlanarSectionTangent t;
-      for (std::size_t g = 0; g < gauss_points; ++g) {
-        const std::size_t point = e * gauss_points + g;
-        t.N_eps[g] = tangents(axial, axial)[point];
-        t.N_chi[g] = tangents(axial, bending2)[point];
-        t.M_eps[g] = tangents(bending2, axial)[point];
-        t.M_chi[g] = tangents(bending2, bending2)[point];
-      }
-      blocks.add_element(e, beam::tangent(elements_[e], kinematics_[e], resultants(stresses, e), t));
-    }
+    lanes_.find_tangents(stresses[axial].data(), stresses[bending2].data(),
+                         {.N_eps = tangents(axial, axial).data(),
+                          .N_chi = tangents(axial, bending2).data(),
+                          .M_eps = tangents(bending2, axial).data(),
+                          .M_chi = tangents(bending2, bending2).data()});
+    for (std::size_t e = 0; e < elements_.size(); ++e) blocks.add_element(e, lanes_.tangent(e));
   }
 
   void add_inertia_force(const State& m, double* f) const override {
     for (Eigen::Index i = 0; i < lumped_.size(); ++i) f[i] += lumped_(i) * m.a[i];
-    if (!consistent_) return;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      of_element(f, e) += beam::consistent_inertia_force(elements_[e], mass_per_length_, motion_of_element(m, e));
-    }
+    if (consistent_) lanes_.add_inertia_force(m.u, m.v, m.a, f);
   }
 
   void add_inertia_tangent(const State& m, InertiaFactors factors, Matrix& K) const override {
     auto& blocks = K.as<B>();
     add_diagonal(factors.acceleration, K);
     if (!consistent_) return;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      blocks.add_element(
-          e, beam::consistent_inertia_tangent(elements_[e], mass_per_length_, motion_of_element(m, e), factors));
-    }
+    lanes_.find_inertia_tangents(m.u, m.v, m.a, factors);
+    for (std::size_t e = 0; e < elements_.size(); ++e) blocks.add_element(e, lanes_.inertia_tangent(e));
   }
 
   void add_mass(const double* u, Matrix& M) const override {
@@ -112,10 +97,7 @@ class PlanarChain final : public Chain {
     double twice = 0;
     for (Eigen::Index i = 0; i < lumped_.size(); ++i) twice += lumped_(i) * v[i] * v[i];
     double energy = twice / 2;
-    if (!consistent_) return energy;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      energy += beam::kinetic_energy(elements_[e], mass_per_length_, of_element(u, e), of_element(v, e));
-    }
+    if (consistent_) energy += lanes_.kinetic_energy(u, v);
     return energy;
   }
 
@@ -126,15 +108,6 @@ class PlanarChain final : public Chain {
   }
 
  private:
-  static beam::PlanarResultants resultants(const section::Field& stresses, std::size_t e) {
-    beam::PlanarResultants r;
-    for (std::size_t g = 0; g < gauss_points; ++g) {
-      r.N[g] = stresses[axial][e * gauss_points + g];
-      r.M[g] = stresses[bending2][e * gauss_points + g];
-    }
-    return r;
-  }
-
   void add_diagonal(double factor, Matrix& K) const {
     auto& blocks = K.as<B>();
     for (std::size_t node = 0; node < blocks.nodes(); ++node) {
@@ -146,7 +119,7 @@ class PlanarChain final : public Chain {
   beam::Inertia mass_per_length_;  // of the consistent part
   Vector lumped_;                  // [kg], [kg m^2] what sits at the nodes
   std::vector<beam::PlanarElement> elements_;
-  std::vector<beam::PlanarKinematics> kinematics_;
+  mutable beam::PlanarLanes lanes_;  // and what it works in
 };
 
 }  // namespace
