@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <tuple>
 
 #include "strandyn/analysis/richardson.hpp"
 
@@ -14,17 +16,35 @@ using casefile::Scene;
 
 namespace {
 
-constexpr int most_rounds = 8;
-constexpr int most_finer = 4;  ///< times the elements and the harmonics begun with
+constexpr int most_rounds = 14;
+constexpr int most_finer = 4;    ///< times the elements and the harmonics begun with
+constexpr int finest_level = 4;  ///< of a mesh: `most_finer` times the elements
+constexpr double rough = 1e-4;   ///< [-] of the target: corrections that end a solution
 constexpr int most_harmonics = 31, most_samples = 1024;
 
 int fewest_samples(int harmonics) {
   return 4 * harmonics + 4;
 }
 
-/// Half as many or one more, of an odd number: even ones hardly count. Of one or two harmonics, two more.
+/// Half as many or one more, of an odd number: even ones hardly count. Of five and fewer, two more.
 int other_harmonics(int harmonics) {
-  return harmonics >= 3 ? (harmonics / 2) | 1 : harmonics + 2;
+  return harmonics >= 6 ? (harmonics / 2) | 1 : harmonics + 2;
+}
+
+/// Meshes are finer by the root of two from one to the next, so that a refinement adds one run to those that are there.
+int elements_at(int level, const PeriodicSetting& first) {
+  return std::max(2, static_cast<int>(std::lround(first.elements * std::exp2(level / 2.0))));
+}
+int level_of(int elements, const PeriodicSetting& first) {
+  return static_cast<int>(std::lround(2 * std::log2(static_cast<double>(elements) / first.elements)));
+}
+
+/// The coarsest mesh that has two elements, or nearly, for half a wave of the highest harmonic of so many loops: a
+/// coarser one has its modes elsewhere.
+int level_for(int harmonics, int loops, const PeriodicSetting& first) {
+  constexpr double elements = 1.8;
+  const double wanted = elements * harmonics * loops / first.elements;
+  return std::clamp(static_cast<int>(std::ceil(2 * std::log2(wanted))), 1 - finest_level, finest_level);
 }
 
 /// The knobs that the case leaves open.
@@ -46,19 +66,28 @@ class Runs {
   PeriodicRun& run(const PeriodicSetting& setting);
   PointError error_of(const PeriodicSetting& setting, double mass);
   const section::Effort& effort() const { return effort_; }
+  /// Of the mode; 1 where no run has found one.
+  int loops() const {
+    for (const auto& [setting, run] : runs_) {
+      if (run.shaken) return run.shaken->mode_number();
+    }
+    return 1;
+  }
   PeriodicRun take(const PeriodicSetting& setting) { return std::move(run(setting)); }
 
  private:
   void solve(const PeriodicSetting& setting, PeriodicRun& run) const;
-  /// A run that is there, as near as can be: on the same mesh, else on the finest.
+  double by_harmonics(const PeriodicSetting& coarse, const PeriodicSetting& setting);
+  /// A run that is there, as near as can be: with as many harmonics, so that its sections are known; on the same mesh,
+  /// else on the finest.
   const PeriodicRun* nearest(const PeriodicSetting& setting) const {
     const PeriodicRun* best = nullptr;
-    int elements = 0;
+    std::tuple<bool, bool, int> nearness;
     for (const auto& [other, run] : runs_) {
-      if (!run.converged() || (best && elements == setting.elements)) continue;
-      if (best && other.elements < elements && other.elements != setting.elements) continue;
+      const std::tuple own(other.harmonics >= setting.harmonics, other.elements == setting.elements, other.elements);
+      if (!run.converged() || (best && own <= nearness)) continue;
       best = &run;
-      elements = other.elements;
+      nearness = own;
     }
     return best;
   }
@@ -105,39 +134,53 @@ void Runs::solve(const PeriodicSetting& setting, PeriodicRun& run) const {
   run.power = span::losses_of(solution) * solution.state.frequency / run.shaken->span().built.length;
 }
 
+/// [W/m] No order is taken for granted: of a strand that is nearly a string each odd harmonic lies near a mode, and
+/// each adds as much as the one before.
+double Runs::by_harmonics(const PeriodicSetting& coarse, const PeriodicSetting& setting) {
+  constexpr double safety = 1.5;
+  const int other = other_harmonics(setting.harmonics);
+  const int level = level_for(std::max(setting.harmonics, other), loops(), first_);
+  const auto with = [&](int harmonics) -> const PeriodicRun& {
+    PeriodicSetting own = coarse;
+    own.elements = std::max(coarse.elements, elements_at(level, first_));
+    own.harmonics = harmonics;
+    own.samples = std::max(coarse.samples, fewest_samples(std::max(setting.harmonics, other)));
+    return run(own);
+  };
+  return safety * apart(with(setting.harmonics), with(other));
+}
+
 /// Each part by its own knob, the others as they were begun with: what one of them asks for raises no other run.
 PointError Runs::error_of(const PeriodicSetting& setting, double mass) {
-  constexpr analysis::Order in_space{.least = 1.5, .highest = 4, .expected = 2};
-  constexpr double by_harmonics_alone = 1.5, by_samples_alone = 1.5, by_points_alone = 1.5;
+  constexpr analysis::Order in_space{.least = 1.5, .highest = 4, .expected = 2, .ratio = std::numbers::sqrt2};
+  constexpr double by_samples_alone = 1.5, by_points_alone = 1.5;
   constexpr int few = 3;  // harmonics, of a difference of samples or points
   PeriodicSetting fine = first_;
   fine.elements = setting.elements;
-  PeriodicSetting half = fine, quarter = fine;
-  half.elements = std::max(1, fine.elements / 2);
-  quarter.elements = std::max(1, fine.elements / 4);
+  const int level = level_of(setting.elements, first_);
+  PeriodicSetting before = fine, further = fine;
+  before.elements = elements_at(level - 1, first_);
+  further.elements = elements_at(level - 2, first_);
+  run(further);  // the cheapest one is begun with
   PeriodicSetting coarse = first_;
-  coarse.elements = std::max(1, first_.elements / 2);
-  if (!run(coarse).converged()) coarse.elements = half.elements;
-  PeriodicSetting many = coarse;
-  many.harmonics = setting.harmonics;
-  many.samples = std::max(coarse.samples, std::min(setting.samples, fewest_samples(many.harmonics)));
-  PeriodicSetting fewer = many;
-  fewer.harmonics = other_harmonics(many.harmonics);
+  coarse.elements = elements_at(-1, first_);
+  if (!run(coarse).converged()) coarse.elements = before.elements;
   PeriodicSetting quick = coarse;
-  quick.harmonics = std::min(coarse.harmonics, few);
+  quick.harmonics = std::min({coarse.harmonics, few, (setting.samples / 2 - 4) / 4});
   PeriodicSetting dense = quick, sparse = quick, pointed = quick, other = quick;
   dense.samples = setting.samples;
   sparse.samples = std::max(setting.samples / 4 * 2, fewest_samples(quick.harmonics));
   pointed.points = setting.points;
-  other.points = build::finer_points(setting.points).value_or(setting.points / 2);
+  other.points =
+      setting.points > first_.points ? first_.points : build::finer_points(setting.points).value_or(setting.points / 2);
 
-  const bool sampled = many.samples >= fewest_samples(fewer.harmonics);
-  const double harmonics = sampled ? by_harmonics_alone * apart(run(many), run(fewer)) : INFINITY;
+  const double harmonics = by_harmonics(coarse, setting);
   const double ratio = static_cast<double>(dense.samples) / sparse.samples;
   const double samples = ratio > 1 ? by_samples_alone * apart(run(dense), run(sparse)) / (ratio * ratio - 1) : INFINITY;
-  const double points = slips_ ? by_points_alone * apart(run(pointed), run(other)) : 0;
-  const double further = apart(run(half), run(quarter));
-  const double mesh = analysis::richardson(apart(run(fine), run(half)), further, in_space);
+  const double more = static_cast<double>(pointed.points) / other.points;
+  const double of_points = by_points_alone / (more > 1 ? more * more - 1 : 1);
+  const double points = slips_ ? of_points * apart(run(pointed), run(other)) : 0;
+  const double mesh = analysis::richardson(apart(run(fine), run(before)), apart(run(before), run(further)), in_space);
   const double size = std::max(std::abs(run(fine).power), least_power(ask_.frequency, ask_.antinode_amplitude, mass));
   const auto part = [size](double apart) { return std::isfinite(apart) ? std::optional(apart / size) : std::nullopt; };
   PointError error{.mesh = part(mesh), .harmonics = part(harmonics), .samples = part(samples)};
@@ -149,10 +192,11 @@ PointError Runs::error_of(const PeriodicSetting& setting, double mass) {
 /// Refines what gives the largest part of the error, of what the case has left open; a part that is not known is the
 /// largest. False where nothing is left that would help.
 bool refine(PeriodicSetting& setting, const PointError& error, double target, const PeriodicSetting& first,
-            const Free& free) {
+            const Free& free, int loops) {
+  const int level = level_of(setting.elements, first);
   const std::optional<int> finer = build::finer_points(setting.points);
   const auto size = [](bool open, const std::optional<double>& part) { return open ? part.value_or(INFINITY) : 0; };
-  const double mesh = size(free.elements && setting.elements < most_finer * first.elements, error.mesh);
+  const double mesh = size(free.elements && level < finest_level, error.mesh);
   const double harmonics = size(
       free.harmonics && setting.harmonics < std::min(most_harmonics, most_finer * first.harmonics), error.harmonics);
   const double samples = size(free.samples && setting.samples < most_samples, error.samples);
@@ -167,8 +211,7 @@ bool refine(PeriodicSetting& setting, const PointError& error, double target, co
   const double wanted = error.relative ? (*error.relative - target) / largest : 1;
   const double factor = std::clamp(1 / std::sqrt(std::max(1 - 1.1 * wanted, 0.01)), 1.15, 2.5);
   if (mesh == largest) {
-    const auto elements = static_cast<int>(std::ceil(setting.elements * std::clamp(std::sqrt(factor), 1.2, 1.5)));
-    setting.elements = std::min(elements, most_finer * first.elements);
+    setting.elements = elements_at(level + 1, first);
   } else if (harmonics == largest) {
     // Odd ones, half as many again; as many as the samples carry where these are kept.
     int more = std::min((setting.harmonics * 3 / 2) | 1, most_harmonics);
@@ -176,6 +219,9 @@ bool refine(PeriodicSetting& setting, const PointError& error, double target, co
     if (more <= setting.harmonics) return false;
     setting.harmonics = more;
     if (free.samples) setting.samples = std::max(setting.samples, fewest_samples(more));
+    if (free.elements) {
+      setting.elements = std::max(setting.elements, elements_at(level_for(more, loops, first), first));
+    }
   } else if (samples == largest) {
     setting.samples = std::min(4 * static_cast<int>(std::ceil(setting.samples * factor / 4)), most_samples);
   } else {
@@ -195,7 +241,8 @@ std::unique_ptr<span::ShakenSpan> shaken_span_of(const PeriodicAsk& ask, const P
   const build::Shaker shaker = build::find_shaker(scene, built);
   return std::make_unique<span::ShakenSpan>(
       std::move(built), shaker, ask.frequency,
-      span::ResponseOptions{.harmonics = setting.harmonics, .samples = setting.samples, .stop = stop});
+      span::ResponseOptions{
+          .harmonics = setting.harmonics, .samples = setting.samples, .tolerance = rough * ask.target, .stop = stop});
 }
 
 PeriodicSetting first_periodic_setting(const PeriodicAsk& ask) {
@@ -214,8 +261,9 @@ PeriodicSetting first_periodic_setting(const PeriodicAsk& ask) {
     if (!free.samples) setting.harmonics = std::min(setting.harmonics, (keys.samples - 4) / 4);
   }
   if (free.samples) {
+    // They leave 5/S^2; a quarter of the target is theirs.
     setting.samples =
-        std::max(2 * fewest_samples(setting.harmonics), 4 * static_cast<int>(std::ceil(2.5 / std::sqrt(target))));
+        std::max(fewest_samples(setting.harmonics), 4 * static_cast<int>(std::ceil(std::sqrt(20 / target) / 4)));
   }
   if (free.points) setting.points = target >= 0.05 ? 20 : 36;
   return setting;
@@ -240,7 +288,9 @@ PeriodicToTarget periodic_to_target(const PeriodicAsk& ask, const Watch& watch) 
   PointError error;
   for (int round = 1;; ++round) {
     error = runs.error_of(setting, mass);
-    if (error.is_below(ask.target) || round == most_rounds || !refine(setting, error, ask.target, first, free)) break;
+    if (error.is_below(ask.target) || round == most_rounds ||
+        !refine(setting, error, ask.target, first, free, runs.loops()))
+      break;
   }
   PeriodicRun run = runs.take(setting);
   const section::Effort effort = runs.effort();

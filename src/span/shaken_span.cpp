@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "strandyn/span/carry_over.hpp"
 #include "strandyn/span/damping.hpp"
@@ -18,6 +19,9 @@ namespace {
 
 /// Points that converge took ten at most; one that does not is tried again in smaller steps of amplitude.
 constexpr int most_iterations = 20;
+/// What is but the beginning of another solution ends with this correction [-], by so many samples.
+constexpr double rough = 1e-3;
+constexpr int few_samples = 32;
 
 /// The node that swings widest, away from the ends where the span has three loops and more.
 solver::Place control_place(const SpanAtRest& span, const solver::Mode& mode, double margin) {
@@ -56,6 +60,14 @@ double peak_to_peak(const Eigen::RowVectorXd& coefficients) {
   return vertex(static_cast<std::size_t>(high - value.begin())) - vertex(static_cast<std::size_t>(low - value.begin()));
 }
 
+/// The state with so many harmonics: the others are zero.
+solver::PeriodicState with_harmonics(solver::PeriodicState state, int harmonics) {
+  const Index had = state.harmonics.cols(), columns = 2 * harmonics + 1;
+  state.harmonics.conservativeResize(Eigen::NoChange, columns);
+  if (columns > had) state.harmonics.rightCols(columns - had).setZero();
+  return state;
+}
+
 }  // namespace
 
 ShakenSpan::ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, double frequency,
@@ -71,6 +83,7 @@ ShakenSpan::ShakenSpan(build::BuiltSpan built, const build::Shaker& shaker, doub
             .control = control_place(span_, mode_, mode_number_ >= 3 ? span_.built.length / mode_number_ : 0)};
   options_ = {.harmonics = options.harmonics,
               .samples = options.samples,
+              .tolerance = options.tolerance,
               .max_iterations = most_iterations,
               .stop = options.stop};
   solver_.emplace(span_.system, span_.u, setup_, options_);
@@ -105,21 +118,50 @@ double ShakenSpan::phase(const solver::PeriodicState& state) const {
   return behind - turn * std::floor(behind / turn + 0.25);
 }
 
-void ShakenSpan::from_mode(double control, ResonanceAt& result) const {
-  for (const int parts : {1, 8}) {
-    std::vector<double> amplitudes;
-    for (int i = 1; i <= parts; ++i) amplitudes.push_back(control * i / parts);
-    for (const solver::PeriodicSolution& solution : solver_->backbone(amplitudes, mode_)) {
-      result.effort += solution.effort;
-      result.solution = solution;
-    }
-    if (result.solution.converged) break;
+void ShakenSpan::from_mode(const solver::PeriodicSolver& solver, double control, int parts, ResonanceAt& result) const {
+  std::vector<double> amplitudes;
+  for (int i = 1; i <= parts; ++i) amplitudes.push_back(control * i / parts);
+  for (const solver::PeriodicSolution& solution : solver.backbone(amplitudes, mode_)) {
+    result.effort += solution.effort;
+    result.solution = solution;
   }
 }
 
+void ShakenSpan::from(const solver::PeriodicSolver& solver, double control, solver::PeriodicState start,
+                      ResonanceAt& result) const {
+  result.solution = solver.resonance(control, start);
+  result.effort += result.solution.effort;
+}
+
+/// Of the fundamental alone a vibration is found from far away and at little cost; the others come to it. Where they
+/// do not, since one of them lies near a mode of its own, the amplitude is raised step by step.
 void ShakenSpan::approach(double antinode_amplitude, ResonanceAt& result) const {
-  const solver::PeriodicState unit = solver_->from_mode(mode_, 1);
-  from_mode(antinode_amplitude / this->antinode_amplitude(unit), result);
+  constexpr int small_steps = 8;
+  solver::PeriodicOptions few = options_;
+  few.tolerance = std::max(rough, options_.tolerance);
+  double control = antinode_amplitude / this->antinode_amplitude(solver_->from_mode(mode_, 1));
+  std::optional<solver::PeriodicState> start;
+  for (const int harmonics : {1, 3, options_.harmonics}) {
+    if (harmonics > options_.harmonics) continue;
+    const bool is_last = harmonics == options_.harmonics;
+    few.harmonics = harmonics;
+    few.samples = is_last ? options_.samples : std::min(options_.samples, few_samples);
+    const solver::PeriodicSolver solver(span_.system, span_.u, setup_, few);
+    if (start) {
+      from(solver, control, with_harmonics(std::move(*start), harmonics), result);
+    } else {
+      from_mode(solver, control, 1, result);
+    }
+    if (!result.solution.converged) from_mode(solver, control, small_steps, result);
+    if (is_last) break;
+    start.reset();
+    if (!result.solution.converged) continue;
+    start = result.solution.state;
+    const double ratio = antinode_amplitude / this->antinode_amplitude(*start);
+    start->harmonics *= ratio;
+    control = ratio * result.solution.amplitude;
+  }
+  if (result.solution.converged) from(*solver_, control, result.solution.state, result);
   settle(antinode_amplitude, result);
 }
 
@@ -153,12 +195,11 @@ ResonanceAt ShakenSpan::resonance(double antinode_amplitude, const ShakenSpan& o
   ResonanceAt result;
   try {
     const Eigen::MatrixXd carried = carry_over(other.span_.built.model, found.harmonics, span_.built.model);
-    const Index columns = 2 * options_.harmonics + 1;
     solver::PeriodicState start{.frequency = found.frequency * mode_.frequency / other.mode_.frequency,
                                 .drive = found.drive,
-                                .harmonics = Eigen::MatrixXd::Zero(carried.rows(), columns)};
-    const Index common = std::min(columns, carried.cols());
-    start.harmonics.leftCols(common) = carried.leftCols(common);
+                                .harmonics = carried,
+                                .sections = found.sections};
+    start = with_harmonics(std::move(start), options_.harmonics);
     const auto control = *span_.built.model.index(setup_.control.node, setup_.control.unknown);
     const double ratio = antinode_amplitude / this->antinode_amplitude(start);
     start.harmonics *= ratio;

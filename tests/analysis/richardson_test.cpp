@@ -26,6 +26,15 @@ TEST_CASE("richardson: of errors of the order that is expected it gives half as 
   check_close(richardson(3e-3, std::nullopt, second), 2.5e-3, {.relative = 1e-14});
 }
 
+TEST_CASE("richardson: runs finer by another ratio than two say the same of the finest") {
+  constexpr analysis::Order by_root = {.least = 1, .highest = 4, .expected = 2, .ratio = 1.41421356237309505};
+  for (const double q : {2.0, 3.0, 4.0}) {
+    const auto run = [q](double h) { return 7 + 0.01 * std::pow(h, q); };
+    const double r = by_root.ratio;
+    check_close(richardson(run(r) - run(1), run(r * r) - run(r), by_root), 1.5 * 0.01, {.relative = 1e-10});
+  }
+}
+
 TEST_CASE("richardson: two runs that agree by chance are not believed") {
   CHECK(richardson(0, 1e-3, second) >= 1.5 * 1e-3 / 16 / 15);
   CHECK(richardson(1e-9, 1e-3, second) >= 1.5 * 1e-3 / 16 / 15 * (1 - 1e-12));

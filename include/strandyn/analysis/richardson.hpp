@@ -1,22 +1,24 @@
 #pragma once
 /// \file What the finer of two runs is off by, from how far they are apart.  [Richardson 1911]
 ///
-///     e = s |D(h) - D(2 h)|/(2^q - 1)
-/// with the order q that a third run, twice as coarse again, shows: 2^q = |D(2 h) - D(4 h)|/|D(h) - D(2 h)|, held
-/// between bounds. s is what covered the error in nineteen of twenty random scenes (`docs/accuracy-presets.md`): 1.5
-/// where the order is the one expected, 3 where it is less, 2.5 where there is no third run.
+///     e = s |D(h) - D(r h)|/(r^q - 1)
+/// with the order q that a third run, coarser again by the ratio r, shows: r^q = |D(r h) - D(r^2 h)|/|D(h) - D(r h)|,
+/// held between bounds. s is what covered the error in nineteen of twenty random scenes
+/// (`docs/accuracy-presets.md`): 1.5 where the order is the one expected, 3 where it is less, 2.5 where there is no
+/// third run.
 
 #include <optional>
 
 namespace strandyn::analysis {
 
-/// [-] orders of convergence.
+/// [-] orders of convergence, and how much coarser each run is than the one before.
 struct Order {
   double least = 0, highest = 0, expected = 0;
+  double ratio = 2;
 };
 
-/// The error of the finer of two runs that are `difference` apart, the next two being `before` apart, each twice as
-/// coarse. In the unit of the difference; infinite where that is.
+/// The error of the finer of two runs that are `difference` apart, the next two being `before` apart, each coarser
+/// by the ratio. In the unit of the difference; infinite where that is.
 double richardson(double difference, std::optional<double> before, const Order& order);
 
 }  // namespace strandyn::analysis

@@ -2,14 +2,14 @@
 /// \file A periodic vibration at resonance that is as fine as an accuracy wants it.
 ///
 /// With P(N, H, S, p) the self-damping on N elements, with H harmonics, S samples and p points a turn,
-///     mesh:       |P(N) - P(N/2)|/(2^q - 1)    q by the same difference one mesh further down
-///     harmonics:  |P(H) - P(H/2)|              slowly where slip has just begun: no order is taken for granted
+///     mesh:       |P(N) - P(N/r)|/(r^q - 1)    r the root of two, q by the same difference one mesh further down
+///     harmonics:  |P(H) - P(H/2)|              no order is taken for granted; of five and fewer |P(H) - P(H + 2)|
 ///     samples:    |P(S) - P(S/2)|/3            the half where the harmonics leave it, else 4 H + 4
-///     points:     |P(p) - P(p')|               p' the next finer, or the half where there is none
-/// each with the other knobs as they were begun with, all but the first on half the elements begun with, the last two
-/// with three harmonics. What gives the largest part is made finer until their sum is below the target; the setting
-/// that is left is run once. The first mesh is solved from the mode; every neighbour begins at a solution that is
-/// there.
+///     points:     |P(p) - P(p')|               p' the next finer; once finer, those begun with, an order of two taken
+/// each with the other knobs as they were begun with, all but the first on a mesh coarser by r, the harmonics on one
+/// that has two elements for half a wave of the highest, the last two with three harmonics at most. What gives the
+/// largest part is made finer until their sum is below the target; the setting that is left is run once. The first mesh
+/// is solved from the mode; every neighbour begins at a solution that is there.
 
 #include <compare>
 #include <memory>

@@ -15,8 +15,9 @@ namespace strandyn::span {
 /// How a periodic response is solved.
 struct ResponseOptions {
   int harmonics = 5;
-  int samples = 64;  ///< per cycle
-  Stop stop = {};    ///< asked within a response
+  int samples = 64;         ///< per cycle
+  double tolerance = 1e-8;  ///< [-] of the last correction
+  Stop stop = {};           ///< asked within a response
 };
 
 /// A resonance at a wanted antinode amplitude.
@@ -70,7 +71,10 @@ class ShakenSpan {
   StrainRange strains(const solver::PeriodicState& state) const;
 
  private:
-  void from_mode(double control, ResonanceAt& result) const;
+  /// Up to the control's amplitude in so many parts of it; or from a state that is near.
+  void from_mode(const solver::PeriodicSolver& solver, double control, int parts, ResonanceAt& result) const;
+  void from(const solver::PeriodicSolver& solver, double control, solver::PeriodicState start,
+            ResonanceAt& result) const;
   void approach(double antinode_amplitude, ResonanceAt& result) const;
   void settle(double antinode_amplitude, ResonanceAt& result) const;
 

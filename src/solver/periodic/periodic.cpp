@@ -23,8 +23,9 @@ constexpr double turn = 2 * std::numbers::pi;
 constexpr double slow = 0.3;
 /// Sections that slip no more than makes them softer by this are not asked for derivatives from the start.
 constexpr double slight = 0.05;
-/// How often a step of a backbone is halved.
-constexpr int most_halvings = 4;
+/// So many corrections without one smaller than all before lead nowhere.
+constexpr int most_astray = 6;
+constexpr double shortest_part = 0.25;
 /// A solution farther away than this many steps lies on another branch.
 constexpr double farthest = 2;
 /// A motion that drowns by more than this in the rounding of coordinates is no answer.
@@ -106,16 +107,23 @@ class Newton {
          const PeriodicOptions& options)
       : system_(system), balance_(balance), setup_(setup), options_(options) {}
 
-  Solved solve(const PeriodicPoint& start, const ClosingRule& rule) const {
+  Solved solve(const PeriodicPoint& start, const ClosingRule& rule, const SectionModel* known = nullptr) const {
     Solved s{.point = start, .at = {}, .model = {}, .solution = {}};
     PeriodicSolution& solution = s.solution;
-    double before = 0;
+    double before = 0, least = INFINITY;
+    double part = 1;  // of a correction that is taken: less where corrections do not fall
+    int since_least = 0;
     bool probed = false;  // do the derivatives that are there serve once more?
+    if (std::optional<SectionModel> carried = known ? balance_.carried_model(*known) : std::nullopt) {
+      s.model = std::move(*carried);
+      probed = true;
+    }
     for (solution.iterations = 1; solution.iterations <= options_.max_iterations; ++solution.iterations) {
       s.at = balance_.evaluate(s.point);
       solution.effort += s.at.loops.effort;
       const bool is_slow = before > 0 && solution.correction > slow * before;
-      before = solution.correction;
+      const double last = solution.correction;
+      before = last;
       if (!probed) s.model = balance_.secant_model(s.at);
       if (is_slow || (!probed && balance_.softening(s.model) > slight)) {
         s.model = balance_.probed_model(s.at);
@@ -143,10 +151,25 @@ class Newton {
         solution.converged = s.at.loops.gap <= (is_tiny ? std::max(options_.closure, rounding) : options_.closure);
         break;
       }
-      advance(s.point, change, bounded(s.point, change));
+      if (solution.correction < least) {
+        least = solution.correction;
+        since_least = 0;
+      } else if (++since_least == most_astray) {
+        break;
+      }
+      // As if all were linear, a correction would leave 1 - part of the next.
+      if (last > 0 && solution.correction > (1 - part / 4) * last) {
+        part = std::max(part / 2, shortest_part);
+      } else if (solution.correction < (1 - part / 2) * last) {
+        part = std::min(1.0, 2 * part);
+      }
+      advance(s.point, change, part * bounded(s.point, change));
     }
     solution.iterations = std::min(solution.iterations, options_.max_iterations);
     describe(s);
+    if (solution.converged && !s.model.slipping.empty()) {
+      solution.state.sections = std::make_shared<SectionModel>(s.model);
+    }
     return s;
   }
 
@@ -274,38 +297,12 @@ PeriodicSolution PeriodicSolver::resonance(double amplitude, const PeriodicState
   if (!(amplitude > 0)) throw std::invalid_argument("periodic response: the amplitude of a resonance must be positive");
   const HarmonicBalance balance(system_, rest_, setup_, options_);
   const Newton newton(system_, balance, setup_, options_);
-  PeriodicSolution solution = newton.solve(point_of(start), at_resonance(balance, setup_.kind, amplitude)).solution;
-  if (solution.state.drive < 0) shift_half_a_cycle(solution.state);
-  return solution;
-}
-
-std::vector<PeriodicSolution> PeriodicSolver::backbone(const std::vector<double>& amplitudes, const Mode& mode) const {
-  std::vector<PeriodicSolution> solutions;
-  for (const double amplitude : amplitudes) {
-    if (solutions.empty()) {
-      solutions.push_back(resonance(amplitude, from_mode(mode, amplitude)));
-    } else {
-      solutions.push_back(follow(solutions.back(), amplitude, most_halvings));
-    }
-    if (!solutions.back().converged) break;
+  PeriodicSolution solution =
+      newton.solve(point_of(start), at_resonance(balance, setup_.kind, amplitude), start.sections.get()).solution;
+  if (solution.state.drive < 0) {
+    shift_half_a_cycle(solution.state);
+    solution.state.sections.reset();  // of the other half
   }
-  return solutions;
-}
-
-PeriodicSolution PeriodicSolver::follow(const PeriodicSolution& from, double amplitude, int halvings) const {
-  PeriodicState start = from.state;
-  // Tension and all that is of second degree grows with the square.
-  const double growth = amplitude / from.amplitude;
-  for (Index a = 0; a < start.harmonics.cols(); ++a) {
-    start.harmonics.col(a) *= (a + 1) / 2 % 2 == 1 ? growth : growth * growth;
-  }
-  PeriodicSolution solution = resonance(amplitude, start);
-  if (solution.converged || halvings == 0) return solution;
-  const section::Effort spent = solution.effort;
-  const PeriodicSolution middle = follow(from, std::sqrt(amplitude * from.amplitude), halvings - 1);
-  if (middle.converged) solution = follow(middle, amplitude, halvings - 1);
-  solution.effort += spent;
-  solution.effort += middle.effort;
   return solution;
 }
 

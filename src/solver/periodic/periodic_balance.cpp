@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -60,6 +61,12 @@ HarmonicBalance::HarmonicBalance(const System& system, const Vector& rest, const
     springs_ = system.make_matrix();
     system.stiffness_of(unstressed_, section::TangentField(dimension_of(strains), strains.points()), rest.data(),
                         *springs_);
+  }
+  double along = 0;
+  for (std::size_t p = 0; p < strains.points(); ++p) {
+    const double length = system.point_length(p) / system.model().unstressed_length();
+    places_.push_back(along + length / 2);
+    along += length;
   }
   const Vector still = system.make_vector();
   const system::State motion{.u = rest.data(), .v = still.data(), .a = still.data()};
@@ -163,7 +170,8 @@ MatrixXd HarmonicBalance::moments(const std::vector<Field>& stresses, std::size_
 }
 
 SectionModel HarmonicBalance::secant_model(const BalanceEvaluation& at) const {
-  SectionModel model{.mean = tangents_, .slipping = {}, .extra = {}};
+  SectionModel model{
+      .mean = tangents_, .slipping = {}, .extra = {}, .places = places_, .coefficients = fourier_.coefficients()};
   for (std::size_t p = 0; p < at.loops.friction.size(); ++p) {
     if (at.loops.friction[p] == 0) continue;
     const MatrixXd chi = fundamental_curvature(at, p);
@@ -222,6 +230,37 @@ SectionModel HarmonicBalance::probed_model(const BalanceEvaluation& at) const {
       }
     }
     for (std::size_t j = 0; j < changed.size(); ++j) changed[j][changed_axis] = at.strains[j][changed_axis];
+  }
+  return model;
+}
+
+std::optional<SectionModel> HarmonicBalance::carried_model(const SectionModel& other) const {
+  if (other.coefficients < fourier_.coefficients()) return std::nullopt;
+  SectionModel model{
+      .mean = tangents_, .slipping = {}, .extra = {}, .places = places_, .coefficients = fourier_.coefficients()};
+  const auto axes = static_cast<Index>(axes_.size());
+  const Index mine = fourier_.coefficients();
+  std::vector<std::size_t> rank(other.places.size(), other.slipping.size());  // among those that slip
+  for (std::size_t s = 0; s < other.slipping.size(); ++s) rank[other.slipping[s]] = s;
+  for (std::size_t p = 0; p < places_.size(); ++p) {
+    const auto above = std::ranges::lower_bound(other.places, places_[p]);
+    auto nearest = static_cast<std::size_t>(above - other.places.begin());
+    if (nearest == other.places.size() ||
+        (nearest > 0 && places_[p] - other.places[nearest - 1] < other.places[nearest] - places_[p])) {
+      --nearest;
+    }
+    for (Component c : axes_) model.mean(c, c)[p] = other.mean(c, c)[nearest];
+    if (rank[nearest] == other.slipping.size()) continue;
+    const MatrixXd& theirs = other.extra[rank[nearest]];
+    const Index their = theirs.rows() / axes;
+    MatrixXd extra(mine * axes, mine * axes);
+    for (Index r = 0; r < axes; ++r) {
+      for (Index c = 0; c < axes; ++c) {
+        extra.block(r * mine, c * mine, mine, mine) = theirs.block(r * their, c * their, mine, mine);
+      }
+    }
+    model.slipping.push_back(p);
+    model.extra.push_back(std::move(extra));
   }
   return model;
 }

@@ -49,6 +49,8 @@ struct SectionModel {
   /// axis.
   std::vector<Eigen::MatrixXd> extra;
   section::Effort effort = {};
+  std::vector<double> places = {};  // [-] of all points, in parts of the chain
+  Eigen::Index coefficients = 0;
 };
 
 /// One component of all section points, points by samples.
@@ -72,6 +74,9 @@ class HarmonicBalance {
   double softening(const SectionModel& model) const;
   /// The derivatives too.
   SectionModel probed_model(const BalanceEvaluation& at) const;
+  /// A model of this chain on another mesh or of other harmonics, as its nearest points have it. Empty where it knows
+  /// fewer harmonics.
+  std::optional<SectionModel> carried_model(const SectionModel& other) const;
   /// The change that closes residual and closings, both as far as they are linear. False where there is none.
   bool correct(const PeriodicPoint& point, const BalanceEvaluation& at, const SectionModel& model,
                const Closings& closings, PeriodicPoint& change) const;
@@ -118,6 +123,7 @@ class HarmonicBalance {
   system::Matrix M_, C_;             // at rest
   std::optional<system::Matrix> A_;  // [m] of still air: forces per linear factor
   section::TangentField tangents_;   // at rest
+  std::vector<double> places_;       // [-] of the section points, in parts of the chain
   section::Field unstressed_;
   std::optional<system::Matrix> springs_;  // of bodies
 };

@@ -252,6 +252,27 @@ TEST_CASE("periodic: slip makes the span softer and the drive brings what the lo
   CHECK(backbone.front().sections.friction[10] == 0.0);
 }
 
+TEST_CASE("periodic: a neighbour begun with what the sections of a solution answered is the same at less cost") {
+  Vibration v(test::return_map(), short_span(), 2);
+  const PeriodicSolver solver(v.system, v.rest, shaker(v)), other(v.system, v.rest, shaker(v), {.harmonics = 2});
+  const PeriodicSolution from = solver.backbone({1.2e-3, 2.4e-3, 4.8e-3}, v.mode).back();
+  REQUIRE(from.converged);
+  REQUIRE(from.state.sections);
+  solver::PeriodicState alone = from.state;
+  alone.sections.reset();
+  for (const PeriodicSolver* to : {&solver, &other}) {
+    solver::PeriodicState begin = from.state, bare = alone;
+    const Eigen::Index columns = to == &solver ? 7 : 5;
+    begin.harmonics = bare.harmonics = from.state.harmonics.leftCols(columns).eval();
+    const PeriodicSolution known = to->resonance(4.9e-3, begin), unknown = to->resonance(4.9e-3, bare);
+    REQUIRE(known.converged);
+    REQUIRE(unknown.converged);
+    check_close(known.loop_work, unknown.loop_work, {.relative = 1e-6});
+    check_close(known.state.frequency, unknown.state.frequency, {.relative = 1e-8});
+    CHECK(known.effort.evaluations < unknown.effort.evaluations);
+  }
+}
+
 TEST_CASE("periodic: a transient driven alike stays in the periodic state in partial and in gross slip") {
   Vibration v(test::return_map(), short_span(), 2);
   const PeriodicSetup setup = shaker(v);

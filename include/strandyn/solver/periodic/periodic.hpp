@@ -29,6 +29,7 @@
 
 #include <complex>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -69,11 +70,17 @@ struct PeriodicOptions {
   void validate() const;
 };
 
+/// What slipping sections answer to a change of their curvatures; only the solver that found it can read it.
+struct SectionModel;
+
 struct PeriodicState {
   double frequency = 0;  ///< [Hz]
   double drive = 0;      ///< A [N] or [m]
   /// Deviation from rest: one row per unknown, columns mean, cos 1, sin 1, cos 2, ... [m], [rad]
   Eigen::MatrixXd harmonics;
+  /// Of a solution: Newton's method begins with it at a neighbour, on another mesh or with other harmonics, too. Empty:
+  /// found anew.
+  std::shared_ptr<const SectionModel> sections = {};
 
   /// u_k = c - i s of unknown i: its motion is Re(u_k exp(i k w t)); the drive is A exp(i w t).
   std::complex<double> phasor(std::size_t i, int k = 1) const;
