@@ -143,3 +143,48 @@ TEST_CASE("wire state: of the planar law and of the spatial law bent in the same
     }
   }
 }
+
+TEST_CASE("wire state: where all wires stick each has the strain of a plane section and where all slip none of it") {
+  const double chi = 0.03;
+  for (const int points : {12, 36, 72}) {
+    CAPTURE(points);
+    auto strand = curlew();
+    for (auto& layer : strand.layers) layer.friction_inner = 1e6;
+    const SpatialReturnMap sticks(strand, {.points = points});
+    OneSpatialPoint stuck(sticks, {.eps = eps});
+    stuck.commit({.eps = eps, .chi2 = chi});
+    const WireState state = stuck.wires();
+    const auto axial = strandyn::conductor::axial_wire_forces(strand, eps, 0);
+    // The forces are trapezoidal sums of their gradient: the first harmonic is short by this factor.
+    const double half = std::numbers::pi / points;
+    const double whole = std::tan(half) / half;
+    for (std::size_t j = 1; j < strand.layers.size(); ++j) {
+      const auto& layer = strand.layers[j];
+      const double c = std::cos(layer.lay_angle);
+      const double largest = layer.young * c * c * layer.helix_radius * chi;
+      for (std::size_t i = 0; i < state.theta.size(); ++i) {
+        // Axis 2 is the axis of bending: the lever of a wire at the swept angle theta is R sin(theta).
+        const double stress = whole * (state.layers[j - 1].force[i] - axial[j]) / layer.wire_area;
+        CHECK(std::abs(std::abs(stress) - largest * std::abs(std::sin(state.theta[i]))) < 1e-10 * largest);
+        CHECK(std::abs(state.layers[j - 1].slip[i]) < 1e-10 * layer.helix_radius * layer.helix_radius * chi);
+      }
+    }
+    for (auto& layer : strand.layers) layer.friction_inner = 0;
+    const SpatialReturnMap slips(strand, {.points = points});
+    OneSpatialPoint loose(slips, {.eps = eps});
+    loose.commit({.eps = eps, .chi2 = chi});
+    const WireState free = loose.wires();
+    for (std::size_t j = 1; j < strand.layers.size(); ++j) {
+      const auto& layer = strand.layers[j];
+      const double s = std::sin(layer.lay_angle), c = std::cos(layer.lay_angle);
+      for (std::size_t i = 0; i < free.theta.size(); ++i) {
+        check_close(free.layers[j - 1].force[i], axial[j], {.relative = 1e-12});
+        // R^2 cos^2(a)/|sin a| times the curvature that the angle sees: k e/k_w with no gradient left.
+        const double slip =
+            layer.helix_radius * layer.helix_radius * c * c / std::abs(s) * chi * std::cos(free.theta[i]);
+        check_close(free.layers[j - 1].slip[i], slip,
+                    {.absolute = 1e-10 * layer.helix_radius * layer.helix_radius * chi});
+      }
+    }
+  }
+}
