@@ -146,7 +146,7 @@ Expected PeriodicMethod::expected(const std::vector<Point>& points) const {
     const double loop = estimates * static_cast<double>(span.section_points()) *
                         choice.samples.value_or(options_.samples) * 4 * coefficients / 11;
     expected +=
-        gives ? Expected{.least = 30 * loop, .most = 270 * loop} : Expected{.least = 12 * loop, .most = 110 * loop};
+        gives ? Expected{.least = 11 * loop, .most = 105 * loop} : Expected{.least = 12 * loop, .most = 110 * loop};
   }
   return expected;
 }
