@@ -3,15 +3,14 @@
 // paper; the numbers of a plot are those of its table.
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
-import puppeteer from "puppeteer-core";
+import { chromium } from "playwright-core";
 
 const [, , browserPath, pagePath, folder] = process.argv;
 const faults = [];
 const expect = (holds, what) => { if (!holds) faults.push(what); };
 
-const browser = await puppeteer.launch({ executablePath: browserPath, args: ["--no-sandbox", "--disable-gpu"] });
-const page = await browser.newPage();
-await page.setViewport({ width: 1200, height: 900 });
+const browser = await chromium.launch({ executablePath: browserPath, args: ["--no-sandbox", "--disable-gpu"] });
+const page = await browser.newPage({ viewport: { width: 1200, height: 900 } });
 page.on("console", (said) => { if (said.type() === "error") faults.push(`console: ${said.text()}`); });
 page.on("pageerror", (error) => faults.push(`script: ${error.message}`));
 page.on("request", (request) => {
@@ -56,7 +55,7 @@ expect(compared >= 3, `only ${compared} plots could be compared with their table
 
 // The mouse: a label, a zoom, the way back.
 const first = await page.$("figure[data-plot] .live .nsewdrag");
-await first.scrollIntoView();
+await first.scrollIntoViewIfNeeded();
 const box = await first.boundingBox();
 await page.mouse.move(box.x + box.width * 0.5, box.y + box.height * 0.5);
 for (let i = 0; i <= 40; ++i) await page.mouse.move(box.x + (box.width * i) / 40, box.y + box.height * (0.1 + 0.02 * i));
@@ -94,8 +93,8 @@ if (moving >= 0) {
 }
 
 // On paper: A4, the figures that need no script, nothing wider than the sheet.
-await page.emulateMediaType("print");
-await page.setViewport({ width: 718, height: 1000 });
+await page.emulateMedia({ media: "print" });
+await page.setViewportSize({ width: 718, height: 1000 });
 const wide = await page.evaluate(() => document.documentElement.scrollWidth);
 expect(wide <= 718, `printed ${wide} px wide where the paper has 718`);
 const printed = await page.evaluate(() => [...document.querySelectorAll("figure[data-plot]")].every(
