@@ -139,6 +139,19 @@ class Units(unittest.TestCase):
                            ("speed_m_per_s", "m/s"), ("curvature_per_m", "1/m")]:
             self.assertEqual(strandyn.unit_of(name), unit)
 
+    def test_units_are_those_of_the_program(self):
+        import re
+
+        label = Path(__file__).resolve().parents[2] / "src" / "results" / "label.cpp"
+        if not label.is_file():
+            self.skipTest("the sources are not beside the package")
+        pairs = re.findall(r'\{"(_\w+)", "([^"]+)"\}', label.read_text(encoding="utf-8"))
+        plain = str.maketrans({"²": "^2", "³": "^3", "⁴": "^4", "µ": "u"})
+        self.assertGreater(len(pairs), 40)
+        for suffix, unit in pairs:
+            unit = "degree" if unit == "°" else unit.translate(plain)
+            self.assertEqual(strandyn.unit_of("x" + suffix), unit)
+
     def test_a_data_set_carries_units(self):
         try:
             import xarray  # noqa: F401

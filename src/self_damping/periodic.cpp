@@ -131,10 +131,9 @@ std::optional<PointChoice> PeriodicMethod::first_choice(const Point& point) cons
 }
 
 /// Loops of all sections over the samples of a cycle, once for each coefficient of the harmonics and again in the
-/// search for the amplitude: measured 60 to 150 times a loop with contacts that give, 30 to 130 with rigid ones, 5
-/// where nothing slips; of a chosen accuracy six times as much.
+/// search for the amplitude: 11 to 110 times a loop in the cases that ship, up to 150 in random ones, 5 where nothing
+/// slips; of a chosen accuracy six times as much.
 Expected PeriodicMethod::expected(const std::vector<Point>& points) const {
-  const bool gives = scene_.section.law == casefile::Law::compliant;
   Expected expected;
   for (const Point& point : points) {
     Scene own = build::scene_of_point(scene_, point.ask());
@@ -145,8 +144,7 @@ Expected PeriodicMethod::expected(const std::vector<Point>& points) const {
     const double estimates = casefile::target_error(scene_) ? 6 : 1;
     const double loop = estimates * static_cast<double>(span.section_points()) *
                         choice.samples.value_or(options_.samples) * 4 * coefficients / 11;
-    expected +=
-        gives ? Expected{.least = 11 * loop, .most = 105 * loop} : Expected{.least = 12 * loop, .most = 110 * loop};
+    expected += Expected{.least = 11 * loop, .most = 108 * loop};
   }
   return expected;
 }

@@ -105,8 +105,7 @@ class ClampObserver::Clamp {
         part_ = is_right ? 1 - (keys().distance - a) / l : (keys().distance - a) / l;
       }
       for (std::size_t g = 0; g < beam::gauss_points; ++g) {
-        const double part = 0.5 + (g == 0 ? -0.5 : 0.5) / std::sqrt(3.0);
-        const double at = from_clamp(arc[e] + part * l);
+        const double at = from_clamp(arc[e] + beam::gauss_position[g] * l);
         if (at <= keys().within) points_.push_back({.point = e * beam::gauss_points + g, .at = at});
       }
     }

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "strandyn/report/format.hpp"
 
 namespace strandyn::study {
 
@@ -70,16 +71,8 @@ std::string beside_published(const self_damping::FitRow& fit, const self_damping
 }  // namespace
 
 std::string amount(double value, std::string_view unit) {
-  struct Prefix {
-    double factor;
-    const char* symbol;
-  };
-  constexpr std::array<Prefix, 6> prefixes = {{{1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}}};
-  const double size = std::abs(value);
-  const auto fits = [&](const Prefix& p) { return size >= 0.9995 * p.factor; };
-  const auto found = std::ranges::find_if(prefixes, fits);
-  if (size == 0 || found == prefixes.end()) return fmt::format("{:.3g} {}", value, unit);
-  return fmt::format("{:.3g} {}{}", value / found->factor, found->symbol, unit);
+  const report::Prefix prefix = report::prefix_for(std::abs(value));
+  return fmt::format("{:.3g} {}{}", value / prefix.factor, prefix.symbol, unit);
 }
 
 std::vector<std::string> findings_of(const SteadyRow& row, const observe::Profile& profile, double length) {

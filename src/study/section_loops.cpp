@@ -32,7 +32,7 @@ void SectionLoops::begin(const system::System& system, const observe::StepRecord
   const std::vector<double> arc = model::arc_lengths(model);
   length_ = arc.back();
   for (std::size_t e = 0; e + 1 < arc.size(); ++e) {
-    for (const double side : {-0.5, 0.5}) places_.push_back(std::lerp(arc[e], arc[e + 1], 0.5 + side / std::sqrt(3.0)));
+    for (const double part : beam::gauss_position) places_.push_back(std::lerp(arc[e], arc[e + 1], part));
   }
 }
 
