@@ -38,11 +38,13 @@ double Integration::more_steps(double numerical, double quadrature_error, double
   return std::max(own, quadrature_error / allowed);
 }
 
-solver::IntegratorOptions Integration::options(double step, double end_time, std::vector<model::Drive> drives) const {
+solver::IntegratorOptions Integration::options(double step, double end_time, std::vector<model::Drive> drives,
+                                               double frequency) const {
   return {.step = step,
           .end_time = end_time,
           .newton_tolerance = keys_.newton_tolerance,
           .relative_error = controls_error() ? keys_.rtol : 0,
+          .fitted_frequency = keys_.fits_frequency ? frequency : 0,
           .stop = {},
           .drives = std::move(drives)};
 }

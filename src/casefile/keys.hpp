@@ -105,6 +105,8 @@ void keys(V& v, Integrator& i) {
     v.number(
         "rho_inf", i.rho_inf,
         {.help = "the spectral radius at infinite frequency, 1 for no numerical damping", .at_least = 0, .at_most = 1});
+    v.flag("fit_frequency", i.fits_frequency,
+           {.help = "steps are fitted to the frequency of the drive, or of the mode: it is kept exactly"});
   });
   v.choice("step", i.step, {.help = "how the time step is chosen"});
   v.when("step", i.step, {StepRule::fixed}, [&] {

@@ -68,7 +68,7 @@ struct Trial {
 Trial try_steps(double end_time, const system::Vector& velocity, const VibrationPlan& plan,
                 const build::Integration& integration, span::SpanAtRest& span) {
   constexpr double most_seconds = 0.5;
-  solver::IntegratorOptions options = integration.options(plan.step, end_time, plan.drives);
+  solver::IntegratorOptions options = integration.options(plan.step, end_time, plan.drives, plan.frequency);
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t cpu = std::clock();
   options.stop = [&] {

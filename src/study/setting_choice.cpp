@@ -27,7 +27,14 @@ SettingChoice::SettingChoice(const Scene& asked, double target, LossRun run)
     : asked_(asked), target_(target), run_(std::move(run)), scene_(asked) {
   scene_.accuracy.reset();
   if (is_free("integrator.method")) scene_.integrator.method = casefile::Method::generalized_alpha;
+  if (fits_frequency()) scene_.integrator.fits_frequency = true;
   begin();
+}
+
+/// A bench tunes its drive to the resonance that it finds, whatever a step does to it.
+bool SettingChoice::fits_frequency() const {
+  return is_free("integrator.fit_frequency") && scene_.integrator.method == casefile::Method::generalized_alpha &&
+         (scene_.is<casefile::DecayAnalysis>() || scene_.is<casefile::ForcedAnalysis>());
 }
 
 bool SettingChoice::points_are_free() const {
@@ -37,11 +44,11 @@ bool SettingChoice::points_are_free() const {
 /// What has met the target on many scenes.
 void SettingChoice::begin() {
   setting_.steps_per_cycle = even(6.5 / std::sqrt(target_));
-  if (!scene_.is<casefile::DecayAnalysis>()) {
+  if (!fits_frequency() && !scene_.is<casefile::DecayAnalysis>()) {
     // The step lowers frequencies by the share 3.3/s^2. Against a damping ratio z that detunes a resonance, whose
     // amplitude at the crest falls by (3.3/(s^2 z))^2/2 and whose friction by three times as much. A bench is tuned to
     // its resonance and held at its amplitude; left is the third harmonic near a mode of its own, which the step
-    // detunes nine times as much and which has a tenth of the loss.
+    // detunes nine times as much and which has a tenth of the loss. Steps fitted to the drive do not detune it.
     constexpr double damping_ratio = 4e-3;  // of ordinary self-damping
     const bool is_tuned = !scene_.is<casefile::ForcedAnalysis>();
     const double harmonic = is_tuned ? 3 : 1, share = is_tuned ? 0.1 : 1;
@@ -98,6 +105,7 @@ ChosenKeys SettingChoice::keys() const {
   ChosenKeys keys;
   if (elements_are_free()) keys.span.elements = setting_.elements;
   if (is_free("integrator.method")) keys.integrator.method = name_of(scene_.integrator.method);
+  if (fits_frequency()) keys.integrator.fit_frequency = true;
   if (steps_are_free()) keys.integrator.steps_per_cycle = setting_.steps_per_cycle;
   if (points_are_free()) keys.section.points = setting_.points;
   return keys;

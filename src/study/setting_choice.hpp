@@ -12,6 +12,7 @@ struct ChosenKeys {
   } span{};
   struct Integrator {
     std::optional<std::string> method{};
+    std::optional<bool> fit_frequency{};
     std::optional<int> steps_per_cycle{};
   } integrator{};
   struct Section {
@@ -25,6 +26,7 @@ void members(V& v, ChosenKeys::Span& s) {
 template <class V>
 void members(V& v, ChosenKeys::Integrator& i) {
   v.value("method", i.method, {.what = "of the integration in time"});
+  v.value("fit_frequency", i.fit_frequency, {.what = "whether steps keep the frequency of the drive or mode"});
   v.value("steps_per_cycle", i.steps_per_cycle, {.what = "of the integration", .shown = "chosen steps per cycle"});
 }
 template <class V>
@@ -58,6 +60,7 @@ class SettingChoice {
   bool is_free(std::string_view key) const { return !asked_.source.find(key); }
   bool elements_are_free() const { return !asked_.span->elements; }
   bool steps_are_free() const { return is_free("integrator.steps_per_cycle"); }
+  bool fits_frequency() const;
   bool points_are_free() const;
   void begin();
   bool refine(const ErrorEstimate& estimate);

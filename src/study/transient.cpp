@@ -229,7 +229,7 @@ class Transient final : public Analysis {
     }
     std::optional<FieldWriter> fields;
     if (scene_.output) observers.push_back(&fields.emplace(scene_, hooks, plan.frequency));
-    solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
+    solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives, plan.frequency);
     options.stop = hooks.stop;
     const solver::IntegratorSummary run =
         solver::integrate(span.system, {.u = span.u, .v = plan.velocity}, options, integration_.method(), observers);

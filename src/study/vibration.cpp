@@ -191,7 +191,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
     interrupted = !steady && hooks.stop && hooks.stop();  // a steady run has come to its end
     return interrupted || steady;
   };
-  solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives);
+  solver::IntegratorOptions options = integration_.options(plan.step, duration, plan.drives, plan.frequency);
   options.stop = stop;
   options.checkpoints = checkpoint.checkpoints([&] { return interrupted; });
   const solver::IntegratorSummary run = checkpoint.take_up(check, [&] {

@@ -26,7 +26,9 @@ class Integration {
   /// ends within steps.
   double more_steps(double numerical, double quadrature_error, double allowed) const;
 
-  solver::IntegratorOptions options(double step, double end_time, std::vector<model::Drive> drives = {}) const;
+  /// `frequency` [Hz]: of the drive or of the mode, to which steps are fitted where the case asks for it; 0: none.
+  solver::IntegratorOptions options(double step, double end_time, std::vector<model::Drive> drives = {},
+                                    double frequency = 0) const;
   const solver::TimeMethod& method() const { return method_; }
 
  private:

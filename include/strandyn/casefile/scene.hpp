@@ -127,7 +127,8 @@ inline constexpr int default_steps_per_cycle = 200;
 
 struct Integrator {
   Method method = Method::ida;
-  double rho_inf = 0.9;  ///< [-] `generalized-alpha`
+  double rho_inf = 0.9;         ///< [-] `generalized-alpha`
+  bool fits_frequency = false;  ///< `generalized-alpha`
   StepRule step = StepRule::fixed;
   std::optional<int> steps_per_cycle;         ///< `fixed`: this or
   std::optional<double> step_size;            ///< [s]

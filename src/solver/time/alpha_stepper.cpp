@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "strandyn/core/error.hpp"
 
@@ -11,14 +12,16 @@ AlphaStepper::AlphaStepper(system::System& system, const InitialMotion& initial,
                            GeneralizedAlpha method)
     : system_(system),
       drives_(options.drives),
+      method_(method),
       alpha_m_(method.alpha_m()),
       alpha_f_(method.alpha_f()),
       gamma_(method.gamma()),
       beta_(method.beta()),
       whole_step_(options.step),
+      fitted_(2 * std::numbers::pi * options.fitted_frequency),
       max_iterations_(options.max_newton_iterations),
       test_(options.newton_tolerance, system.unknowns()),
-      h_(options.step),
+      h_(stretched(options.step)),
       now_{.u = initial.u, .v = initial.v, .w = system.make_vector()},
       next_(now_),
       a_(system.make_vector()),
@@ -88,6 +91,10 @@ void AlphaStepper::check_steps() const {
       behind <= start + rounding() && start <= time_ + rounding() && time_ <= next_multiple() + rounding();
   if (!parted || !placed || !(h_ > 0))
     throw InputError("its numbers do not belong together: it stands where no step of this run ends");
+}
+
+double AlphaStepper::stretched(double length) const {
+  return length * method_.stretch(fitted_ * length);
 }
 
 /// a is the acceleration at a time beside, by a share of the step: where the step changes, so does the distance.
@@ -168,7 +175,7 @@ bool AlphaStepper::solve(double end) {
 
 /// One step or part of one. False where it did not converge: the state is then what it was.
 bool AlphaStepper::advance(double end) {
-  adapt_to(end - time_);
+  adapt_to(stretched(end - time_));
   if (!solve(end)) return false;
   if (starting_) {
     // Where there is no step behind, a first try tells how the acceleration changes, and so what it is at the time of

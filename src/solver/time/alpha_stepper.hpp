@@ -46,6 +46,7 @@ class AlphaStepper final : public Stepper {
   double rounding() const { return 1e-6 * whole_step_; }
   void check_steps() const;
   bool advance(double end);
+  double stretched(double length) const;
   void adapt_to(double h);
   void predict(double end);
   void held_accelerations(double t, system::Vector& w);
@@ -56,8 +57,10 @@ class AlphaStepper final : public Stepper {
 
   system::System& system_;
   const std::vector<model::Drive> drives_;
+  const GeneralizedAlpha method_;
   const double alpha_m_, alpha_f_, gamma_, beta_;
   const double whole_step_;  // [s]
+  const double fitted_;      // [rad/s] the frequency that steps keep; 0: none
   const int max_iterations_;
   CorrectionTest test_;
   double time_ = 0;
@@ -66,7 +69,7 @@ class AlphaStepper final : public Stepper {
   Whole whole_;
   double tried_ = 0;  // [s] the step that failed last
   std::size_t rejected_steps_ = 0;
-  double h_;  // [s] the step that `a_` goes with
+  double h_;  // [s] the step that `a_` goes with, stretched
   State now_, next_;
   system::Vector a_, next_a_;
   bool starting_ = true;  // no step lies behind the state: a_ is not known yet

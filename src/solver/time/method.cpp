@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace strandyn::solver {
@@ -22,6 +23,16 @@ double GeneralizedAlpha::damping_ratio(double angle) const {
 double GeneralizedAlpha::frequency_error(double angle) const {
   const double k = (1 - rho_inf) / (1 + rho_inf);
   return -(1.0 / 12 + 3 * k * k / 8) * angle * angle;
+}
+
+double GeneralizedAlpha::stretch(double angle) const {
+  if (!(angle > 0 && angle < std::numbers::pi)) return 1;
+  const std::complex<double> z = std::polar(1.0, angle);
+  const std::complex<double> averages = ((1 - alpha_m()) * z + alpha_m()) / ((1 - alpha_f()) * z + alpha_f());
+  const std::complex<double> way =
+      (1 - gamma() + gamma() * z) / ((z - 1.0) * (z - 1.0)) + (0.5 - beta() + beta() * z) / (z - 1.0);
+  const double square = std::real(-averages / way);
+  return square > 0 ? std::sqrt(square) / angle : 1;
 }
 
 const char* name_of(const TimeMethod& method) {

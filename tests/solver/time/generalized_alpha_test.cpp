@@ -360,3 +360,37 @@ TEST_CASE("generalized alpha: a state that has passed more corners than the run 
   CHECK_NOTHROW(go(many, take_up));
   CHECK_THROWS_WITH_AS(go(few, take_up), doctest::Contains("corners"), FileError);
 }
+
+TEST_CASE("generalized alpha: steps fitted to a mode keep its sine, however long they are") {
+  for (const double rho_inf : {1.0, 0.9}) {
+    for (const double steps : {200.0, 50.0, 20.0}) {
+      CAPTURE(rho_inf);
+      CAPTURE(steps);
+      const Bar bar;
+      const double frequency = bar.omega() / (2 * pi);
+      const auto apart = [&](double fitted) {
+        System system(bar.model);
+        system.begin(zeros(bar.model));
+        Trace trace;
+        run(system, {.u = zeros(bar.model), .v = bar.v},
+            {.step = 1 / (frequency * steps),
+             .end_time = 4 / frequency,
+             .newton_tolerance = 1e-13,
+             .fitted_frequency = fitted},
+            {.rho_inf = rho_inf}, trace);
+        double largest = 0;
+        for (std::size_t n = 0; n < trace.time.size(); ++n) {
+          const double phase = bar.omega() * trace.time[n];
+          largest = std::max({largest, std::abs(trace.u[n](bar.place(2)) * bar.omega() - std::sin(phase)),
+                              std::abs(trace.v[n](bar.place(2)) - std::cos(phase))});
+        }
+        return largest;
+      };
+      // With rho below 1 the auxiliary acceleration of the start and the damping are left, of third order.
+      CHECK(apart(frequency) < (rho_inf == 1 ? 1e-9 : 0.5 * std::pow(2 * pi / steps, 3)));
+      CHECK(apart(0) > 1.5 * std::pow(2 * pi / steps, 2));
+    }
+  }
+  check_close(GeneralizedAlpha{.rho_inf = 1}.stretch(1), 2 * std::tan(0.5), {.relative = 1e-12});
+  CHECK(GeneralizedAlpha{}.stretch(4) == 1);  // a step that does not resolve it
+}

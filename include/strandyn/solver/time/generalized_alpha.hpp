@@ -13,6 +13,14 @@
 /// damping at all), 0 removes them. What it does to a mode of omega, with k = (1 - rho_inf)/(1 + rho_inf):
 ///     zeta = k^3 (omega h)^3/2,      df/f = -(1/12 + 3 k^2/8) (omega h)^2        and O(h^4)
 ///
+/// Steps may be fitted to one frequency [the prewarping of the bilinear transform, T1947]: with h stretched to s h in
+/// all of the formulas above, while time goes on by h, a mode of that frequency keeps it, and the ratio of its
+/// velocities to its displacements. With z = e^(i phi), phi = omega h, the formulas give w = -(x/h)^2 u,
+///     x^2 = -[((1-alpha_m) z + alpha_m)/((1-alpha_f) z + alpha_f)] / [(1-gamma+gamma z)/(z-1)^2 + (1/2-beta+beta
+///     z)/(z-1)]
+/// whose real part is to be (s phi)^2; for the trapezoidal rule s phi = 2 tan(phi/2). The energies of a step close as
+/// before: work is forces times displacements, and du = s h times the mean velocity.
+///
 /// A step that does not converge is halved, and halved again; its parts add up to the whole, so the ends of the cycles
 /// are met as before.
 
@@ -31,7 +39,10 @@ struct GeneralizedAlpha {
   double gamma() const { return 0.5 + alpha_f() - alpha_m(); }
   double beta() const { return (0.5 + gamma()) * (0.5 + gamma()) / 4; }
 
-  /// Leading terms for a mode of angle omega h [rad] per step.
+  /// s for a mode of angle omega h [rad] per step, below pi; 1 where the step does not resolve it.
+  double stretch(double angle) const;
+
+  /// Leading terms, without a stretch, for a mode of angle omega h [rad] per step.
   double damping_ratio(double angle) const;
   double frequency_error(double angle) const;  ///< relative
 };

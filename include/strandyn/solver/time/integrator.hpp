@@ -36,6 +36,8 @@ struct IntegratorOptions {
   /// IDA only: above 0, its own control of the error of a step, relative to the largest motion so far; `step` is then
   /// a bound. Cycle ends fall inside steps. 0: all steps are alike.
   double relative_error = 0;
+  /// [Hz] generalized-alpha only: what its steps are fitted to (`GeneralizedAlpha::stretch`). 0: nothing.
+  double fitted_frequency = 0;
   Stop stop = {};  ///< asked after each step: true ends the run early
   Checkpoints checkpoints = {};
   std::vector<model::Drive> drives = {};  ///< what `model::Driven` loads and motions follow
