@@ -44,14 +44,16 @@ bool SettingChoice::points_are_free() const {
 /// What has met the target on many scenes.
 void SettingChoice::begin() {
   setting_.steps_per_cycle = even(6.5 / std::sqrt(target_));
-  if (!fits_frequency() && !scene_.is<casefile::DecayAnalysis>()) {
+  if (!scene_.is<casefile::DecayAnalysis>()) {
     // The step lowers frequencies by the share 3.3/s^2. Against a damping ratio z that detunes a resonance, whose
     // amplitude at the crest falls by (3.3/(s^2 z))^2/2 and whose friction by three times as much. A bench is tuned to
     // its resonance and held at its amplitude; left is the third harmonic near a mode of its own, which the step
-    // detunes nine times as much and which has a tenth of the loss. Steps fitted to the drive do not detune it.
+    // detunes nine times as much and which has a tenth of the loss. Steps fitted to the drive leave that, too; a force
+    // at one place wakes less of it.
     constexpr double damping_ratio = 4e-3;  // of ordinary self-damping
-    const bool is_tuned = !scene_.is<casefile::ForcedAnalysis>();
-    const double harmonic = is_tuned ? 3 : 1, share = is_tuned ? 0.1 : 1;
+    const bool is_forced = scene_.is<casefile::ForcedAnalysis>();
+    const bool is_tuned = !is_forced || scene_.integrator.fits_frequency;
+    const double harmonic = is_tuned ? 3 : 1, share = !is_tuned ? 1 : is_forced ? 0.02 : 0.1;
     const double steps = harmonic * std::sqrt(3.3 / damping_ratio) * std::pow(1.5 * share / target_, 0.25);
     setting_.steps_per_cycle = std::max(setting_.steps_per_cycle, even(steps));
   }
