@@ -30,6 +30,7 @@ PlanarCoefficients planar_coefficients(const conductor::Strand& strand, int poin
     PlanarCoefficients::Layer layer;
     layer.k = wire.EA_wire() * g.cos_lay * g.cos_lay * g.sin_lay;
     layer.weight = wire.wires * wire.helix_radius * wire.helix_radius * g.cos_lay / g.sin_lay * c.mean_weight;
+    layer.axial_weight = wire.wires * g.cos_lay / points;
     layer.half_step = wire.helix_radius * dtheta / g.sin_lay / 2;
     layer.force_per_strain = wire.EA_wire() * g.cos_lay * g.cos_lay;
     layer.force_per_twist = wire.EA_wire() * wire.helix_radius * std::sin(wire.lay_angle) * g.cos_lay;

@@ -37,7 +37,6 @@ SpatialCoefficients spatial_coefficients(const conductor::Strand& strand, const 
     SpatialCoefficients::Layer layer{planar.layers[i]};
     layer.weight /= 2;
     layer.stick_force = layer.half_step * layer.k / std::tan(c.dtheta / 2);
-    layer.axial_weight = wire.wires * contact[j].cos_lay / options.points;
     layer.torsion_weight = wire.wires * wire.helix_radius * sine / options.points;
 
     const double outer = layer.c_ext * layer.next_layer_ratio * f_int_per_twist;

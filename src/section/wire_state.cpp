@@ -45,7 +45,8 @@ LayerState layer_state(const PlanarCoefficients::Layer& layer, std::vector<doubl
   s.f_ext = layer.next_layer_ratio * f_int_outside;
   const double outer = layer.c_ext * s.f_ext;
   const std::vector<double> bending = bending_force(q, 2 * layer.half_step, neutral);
-  double sum = 0;
+  s.mean_bending_force = std::accumulate(bending.begin(), bending.end(), 0.0) / static_cast<double>(q.size());
+  s.mean_force = axial_force + s.mean_bending_force;
   for (std::size_t i = 0; i < q.size(); ++i) {
     const double force = axial_force + bending[i];
     const double inner = std::max(0.0, layer.kappa * force + outer + layer.inner_residual);
@@ -55,12 +56,9 @@ LayerState layer_state(const PlanarCoefficients::Layer& layer, std::vector<doubl
     s.slips.push_back(std::abs(q[i]) >= (1 - 1e-9) * limit);
     s.inner_load.push_back(inner * layer.inverse_c_int);
     s.slip.push_back((layer.k * e[i] - q[i]) / k_w);
-    sum += bending[i];
   }
   s.gradient = std::move(q);
-  s.mean_bending_force = sum / static_cast<double>(s.force.size());
-  s.f_int = layer.inverse_c_int *
-            std::max(0.0, layer.kappa * (axial_force + s.mean_bending_force) + outer + layer.inner_residual);
+  s.f_int = layer.inverse_c_int * std::max(0.0, layer.kappa * s.mean_force + outer + layer.inner_residual);
   f_int_outside = s.f_int;
   return s;
 }
@@ -91,6 +89,13 @@ PointRows rows_of(const History& history, std::size_t point, std::size_t rows_of
 }
 
 }  // namespace
+
+/// With E the corners of the polygon, E' the next one, and q - mean(q) = |sin a|/R (E' - E)/(2 h):
+///     mean[cos(theta) q] = |sin a|/R sin(h)/h mean[sin(theta_E) E] = |sin a|/R tan(h)/h mean[sin(theta) (E + E')/2]
+double WireState::whole_force(const LayerState& layer, std::size_t angle) const {
+  const double half = std::numbers::pi / static_cast<double>(theta.size());
+  return layer.mean_force + std::tan(half) / half * (layer.force[angle] - layer.mean_force);
+}
 
 WireState SpatialReturnMap::wires(const History& history, const Field&, std::size_t point) const {
   using namespace spatial_kernel;
@@ -142,6 +147,7 @@ WireState PlanarReturnMap::wires(const History& history, const Field& committed_
       q[2 * cells + i] = -q[4 * cells - 1 - i];
     }
     state.layers.push_back(layer_state(layer, std::move(q), e, layer.force_per_strain * eps, 0, f_int));
+    state.N_bending += layer.axial_weight * 4 * static_cast<double>(cells) * state.layers.back().mean_bending_force;
   }
   std::reverse(state.layers.begin(), state.layers.end());
   return state;

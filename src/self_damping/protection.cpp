@@ -32,7 +32,9 @@ const analysis::PointStiffness& Protection::stiffness(std::size_t damper, double
                                                         .mass_per_length = *keys.messenger->mass_per_length,
                                                         .loss_factor = keys.messenger->loss_factor},
                                                        omega);
-    const double hand = hanging.side == damper::Side::right ? 1 : -1;
+    // The end of the span is looked at with its clamp on the left.
+    const bool is_at_left = keys.at < length_ / 2;
+    const double hand = (hanging.side == damper::Side::right) == is_at_left ? 1 : -1;
     sum.force += S(0, 0);
     sum.coupling += hand * S(0, 1);
     sum.moment += S(1, 1);

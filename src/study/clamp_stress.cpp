@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "strandyn/build/clamp.hpp"
-#include "strandyn/conductor/contact.hpp"
 #include "strandyn/fatigue/recorder.hpp"
 
 namespace strandyn::study {
@@ -134,12 +133,6 @@ class ClampObserver::Clamp {
       const section::WireState state = system.model().law->wires(system.history(), strains, p.point);
       theta_ = state.theta;
       const double eps = strains[Component::axial][p.point];
-      const double twist = is_spatial_ ? strains[Component::torsion][p.point] : 0;
-      const std::vector<double> axial = conductor::axial_wire_forces(strand, eps, twist);
-      // The forces are sums of their gradient at points around the turn, by the trapezoidal rule: their first harmonic,
-      // all that a sticking layer has and all that makes a moment, is short by this factor.
-      const double half = pi / static_cast<double>(theta_.size());
-      const double whole = std::tan(half) / half;
       const conductor::Layer& core = strand.layers.front();
       widen(next(), core.young * eps, core.young * core.diameter / 2 * std::hypot(chi2, chi3));
       std::vector<double> below(theta_.size(), 0.0);  // [m] slip of the layer below
@@ -150,9 +143,8 @@ class ClampObserver::Clamp {
           const double radial = chi2 * std::cos(theta_[i]) + chi3 * std::sin(theta_[i]);
           const double around = chi3 * std::cos(theta_[i]) - chi2 * std::sin(theta_[i]);
           const double own = layer.young * layer.diameter / 2 * c * std::hypot(radial, c * around);
-          const double force = axial[j + 1] + whole * (state.layers[j].force[i] - axial[j + 1]);
           WireSwing& wire = next();
-          widen(wire, force / layer.wire_area, std::copysign(own, -around));
+          widen(wire, state.whole_force(state.layers[j], i) / layer.wire_area, std::copysign(own, -around));
           const double slip = std::copysign(state.layers[j].slip[i], layer.lay_angle * state.layers[j].slip[i]);
           move(wire, slip - below[i]);
           below[i] = slip;

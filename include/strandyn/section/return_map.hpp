@@ -48,6 +48,7 @@ struct PlanarCoefficients {
     double outward_offset = 0;    ///< [N/m] 0, or beyond reach where 1 - b <= 0
     double inward_gain = 0;       ///< 1/(1 + b)
     double limit_per_strain = 0;  ///< [N/m] the steepest d q_lim/d eps, all contacts closed
+    double axial_weight = 0;      ///< n cos a/N: what the F_b of one of the N midpoints adds to N
   };
   std::vector<Layer> layers;
   std::vector<double> cosine;  ///< cos(theta) at the N/4 midpoints of a quarter turn

@@ -48,8 +48,7 @@ struct SpatialCoefficients {
   /// As in the plane, except that `weight` is C_j/N: a point stands for 1/N of a mean.
   struct Layer : PlanarCoefficients::Layer {
     double stick_force = 0;     ///< [N m] F_b = this (sin(theta) chi2 - cos(theta) chi3) while all angles stick
-    double axial_weight = 0;    ///< n cos a/N: what a midpoint's F_b adds to N
-    double torsion_weight = 0;  ///< [m] n R sin a/N: what it adds to M1
+    double torsion_weight = 0;  ///< [m] n R sin a/N: what a midpoint's F_b adds to M1
   };
   std::vector<Layer> layers;
   std::vector<double> cosine;  ///< at the N/4 midpoints of the first quarter turn
