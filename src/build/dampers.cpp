@@ -10,7 +10,7 @@ std::vector<damper::HangingArm> arms_of(const casefile::DamperKeys& keys) {
   for (std::size_t i = 0; i < keys.lengths.size(); ++i) {
     const damper::Weight weight{.mass = keys.masses[i], .inertia = keys.inertias[i], .eccentricity = keys.offsets[i]};
     arms.push_back({.arm = {.length = keys.lengths[i], .weight = weight},
-                    .side = i == 0 ? damper::Side::left : damper::Side::right});
+                    .side = (i == 0) != keys.turned ? damper::Side::left : damper::Side::right});
   }
   return arms;
 }

@@ -52,7 +52,7 @@ double wind_load(const casefile::Scene& scene) {
   constexpr double air = 1.2;  // [kg/m^3]
   const casefile::Span& span = *scene.span;
   if (span.wind == 0) return 0;
-  return air / 2 * span.wind * span.wind * span.drag_coefficient * scene.conductor->strand.outer_diameter();
+  return air / 2 * span.wind * span.wind * span.drag_coefficient * casefile::outer_diameter(scene);
 }
 
 Stringing find_stringing(const casefile::Scene& scene, double EA) {

@@ -72,8 +72,8 @@ section::MaterialLoss material_loss(const casefile::Scene& scene, double tension
 
 std::optional<model::Surroundings> surroundings(const casefile::Scene& scene) {
   if (!scene.air || scene.air->still.density == 0) return std::nullopt;
-  const double conductor = scene.conductor ? scene.conductor->strand.outer_diameter() : 0;
-  return model::Surroundings{.air = scene.air->still, .diameter = scene.air->diameter.value_or(conductor)};
+  return model::Surroundings{.air = scene.air->still,
+                             .diameter = scene.air->diameter.value_or(casefile::outer_diameter(scene))};
 }
 
 }  // namespace strandyn::build

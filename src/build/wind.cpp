@@ -11,7 +11,7 @@ namespace {
 
 double diameter_of(const Scene& scene) {
   const WindKeys& keys = scene.winds.front();
-  return keys.diameter.value_or(scene.conductor ? scene.conductor->strand.outer_diameter() : 0);
+  return keys.diameter.value_or(casefile::outer_diameter(scene));
 }
 
 /// [m/s] that the history multiplies.

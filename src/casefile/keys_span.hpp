@@ -82,7 +82,12 @@ void keys(V& v, Span& s) {
            {.help = "the temperature at which the tension was set, without ice", .unit = units::celsius});
   v.number("expansion_per_K", s.expansion,
            {.help = "the coefficient of thermal expansion (that of the wires unless given)", .at_least = 0});
-  v.number("ice_kg_per_m", s.ice, {.help = "the mass of ice on the conductor", .unit = units::kg_per_m, .at_least = 0});
+  v.number("ice_kg_per_m", s.ice,
+           {.help = "the mass of ice around the conductor, a sleeve that the wind meets",
+            .unit = units::kg_per_m,
+            .at_least = 0});
+  v.number("ice_density_kg_per_m3", s.ice_density,
+           {.help = "the density of the ice; glaze has 900 (ISO 12494)", .unit = units::kg_per_m3, .above = 0});
   v.number("wind_m_per_s", s.wind,
            {.help = "the speed of a steady wind across the line, along z: its drag swings a hanging span out",
             .unit = units::m_per_s,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace strandyn::casefile {
 namespace {
@@ -67,6 +68,13 @@ std::optional<double> mass_per_length(const Scene& scene) {
   const std::optional<double> strung = strung_mass_per_length(scene);
   if (!strung || !scene.span) return strung;
   return *strung / (1 + thermal_strain(scene)) + scene.span->ice;
+}
+
+double outer_diameter(const Scene& scene) {
+  if (!scene.conductor) return 0;
+  const double bare = scene.conductor->strand.outer_diameter();
+  if (!scene.span || scene.span->ice == 0) return bare;
+  return std::sqrt(bare * bare + 4 / std::numbers::pi * scene.span->ice / scene.span->ice_density);
 }
 
 double thermal_strain(const Scene& scene) {

@@ -60,6 +60,17 @@ TEST_CASE("wind: the ledger of a span in locked-in wind closes, and a small vibr
   check_close(grown, 2 * rate * 8 / f, {.relative = 0.15});
 }
 
+TEST_CASE("wind: it meets the sleeve of ice around the conductor") {
+  const auto wind = [](const std::vector<std::string>& overrides) {
+    return test::run(span_scene(locked_in, overrides)).summary["wind"];
+  };
+  const auto bare = wind({"analysis.cycles=1"});
+  const auto iced = wind({"analysis.cycles=1", "span.ice_kg_per_m=0.5", "span.ice_density_kg_per_m3=800"});
+  const double D = bare["diameter_m"];
+  check_close(iced["diameter_m"], std::sqrt(D * D + 4 * 0.5 / (pi * 800)), {.relative = 1e-12});
+  CHECK(iced["frequency_Hz"] < bare["frequency_Hz"]);
+}
+
 TEST_CASE("wind: a speed locks in to the mode nearest to its shedding frequency") {
   const auto by_mode = test::run(span_scene(locked_in, {"analysis.cycles=2"})).summary["wind"];
   const double speed = by_mode["wind_speed_m_per_s"];
@@ -98,6 +109,19 @@ TEST_CASE("damper on a span: half the step, the same loss") {
     return sum;
   };
   check_close(lost("100"), lost("200"), {.relative = 0.01});
+}
+
+TEST_CASE("damper on a span: near the right support the other way round it is the mirror image of the left one") {
+  const auto lost = [](std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), {"section.law=stick", "analysis.mode=3", "analysis.cycles=4"});
+    const auto s = test::run(span_scene(damped_decay, overrides)).summary;
+    double sum = 0;
+    for (const auto& c : s["cycles"]) sum += c["damper_dissipation_J"].get<double>();
+    return sum;
+  };
+  const double at_left = lost({});
+  check_close(lost({"damper[0].at_m=9.2", "damper[0].turned=true"}), at_left, {.relative = 1e-6});
+  CHECK(std::abs(lost({"damper[0].at_m=9.2"}) / at_left - 1) > 1e-3);
 }
 
 TEST_CASE(

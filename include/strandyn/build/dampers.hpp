@@ -6,7 +6,7 @@
 
 namespace strandyn::build {
 
-/// To the left of the clamp, then to its right.
+/// Each with the side of the clamp on which it hangs, in the order of the keys.
 std::vector<damper::HangingArm> arms_of(const casefile::DamperKeys& keys);
 damper::Messenger messenger_of(const casefile::DamperKeys& keys);
 

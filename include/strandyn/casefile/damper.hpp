@@ -57,7 +57,8 @@ struct DamperKeys {
   std::vector<double> inertias;      ///< [kg m^2] about their own centres
   std::vector<double> offsets;       ///< [m] their centres, from the messenger's end towards the clamp
   std::optional<MessengerKeys> messenger;
-  int elements = 6;  ///< of an arm
+  bool turned = false;  ///< the first arm to the right
+  int elements = 6;     ///< of an arm
 };
 
 template <class V>
@@ -79,6 +80,8 @@ void keys(V& v, DamperKeys& d) {
       "offset_m", d.offsets,
       {.help = "how far the centre of each weight lies from the messenger's end, towards the clamp", .unit = units::m});
   v.table("messenger", d.messenger, {.help = "the messenger, an elastic rod or a strand"});
+  v.flag("turned", d.turned,
+         {.help = "whether the damper hangs the other way round, its first arm to the right, as near a right support"});
   v.number("elements", d.elements, {.help = "the number of elements of an arm", .at_least = 1, .at_most = 100});
 }
 

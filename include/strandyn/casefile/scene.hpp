@@ -70,6 +70,7 @@ struct Span {
   std::vector<SuspensionKeys> supports;  ///< between the ends, from left to right
   std::vector<StretchKeys> stretches;    ///< from left to right
   double ice = 0;                        ///< [kg/m]
+  double ice_density = 900;              ///< [kg/m^3]
   double wind = 0;                       ///< [m/s] a steady wind along z, which pushes the span sideways
   double drag_coefficient = 1;           ///< [-] of that
   MassMatrix mass = MassMatrix::consistent;
@@ -191,6 +192,9 @@ std::optional<std::size_t> first_static_force(const Scene& scene);
 std::optional<double> mass_per_length(const Scene& scene);
 /// The same as it was strung.
 std::optional<double> strung_mass_per_length(const Scene& scene);
+
+/// [m] that the air meets, a sleeve of ice in it: sqrt(D^2 + 4 m_ice/(pi rho_ice)); 0 without a conductor.
+double outer_diameter(const Scene& scene);
 
 /// [-] of the span since it was strung; 0 where the case gives no temperature. Of wires without a key of its own:
 /// sum EA a/sum EA with the EA of the layers along the strand, a = 23e-6/K (aluminium), 11.5e-6/K (steel).
