@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "strandyn/build/section_law.hpp"
+#include "strandyn/results/writing.hpp"
 
 namespace strandyn::study {
 
@@ -116,6 +117,7 @@ void FieldWriter::step(const system::System& system, const observe::StepRecord& 
 }
 
 void FieldWriter::put(const results::Moment& moment) {
+  const results::Writing writing;
   if (!file_) {
     file_ = std::make_unique<results::VtkHdfFile>(path_, nodes_, kept_);
     if (kept_ == 0) file_->add(*initial_);
@@ -138,6 +140,9 @@ void FieldWriter::end(Outcome& outcome) {
   outcome.tell(FieldsSummary{.fields = {.file = file_name, .moments = file_->moments(), .every = every_}});
   outcome.written.emplace_back(file_name);
   file_.reset();
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path_, error);
+  if (!error) results::Writing::count(bytes);
 }
 
 std::vector<results::MemberNote> FieldWriter::notes() {

@@ -53,6 +53,14 @@ for (const plot of plots) {
 }
 expect(compared >= 3, `only ${compared} plots could be compared with their tables`);
 
+// What needs no script: which wires slip where, and the cross-section.
+const slip = plots.filter((plot) => ["slip_map", "wire_map"].includes(plot.name));
+expect(slip.length === 2, "no map of slip");
+const wires = await page.$$eval("figure:not([data-plot]) svg.plot circle", (circles) => circles.map((c) => c.getAttribute("fill")));
+const section = columnsOf("cross_section.csv");
+expect(wires.length === section.wire.length, `${wires.length} wires are drawn, the strand has ${section.wire.length}`);
+expect(wires.every((fill, i) => (fill !== "none") === section.slipping_share[i] > 0), "a wire is drawn in another state");
+
 // The mouse: a label, a zoom, the way back.
 const first = await page.$("figure[data-plot] .live .nsewdrag");
 await first.scrollIntoViewIfNeeded();
