@@ -142,7 +142,9 @@ std::string svg_of_wires(const Plot& plot, SvgUse use) {
   }
   const double bottom = plot.height - row_height;
   out += drawn(*plot.wires, {side, top}, {plot.width - side, bottom});
-  const Cells key{.label = plot.wires->label, .value = {0, 1}};
+  Cells key;
+  key.label = plot.wires->label;
+  key.value = {0, 1};
   return out + colour_key(key, {plot.width - side, plot.height - 6.0}) + "</svg>\n";
 }
 

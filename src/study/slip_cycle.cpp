@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "cross_section.hpp"
 #include "strandyn/build/section_law.hpp"
-#include "strandyn/results/reference.hpp"
 
 namespace strandyn::study {
 namespace {
@@ -22,45 +21,6 @@ struct SlipCycleSummary {
 template <class V>
 void members(V& v, SlipCycleSummary& s) {
   v.record("slip_cycle", s.slip_cycle, {.what = "which wires slip in the last cycle, where the law knows wires"});
-}
-
-/// Of the wires around the lay, all layers together.
-double slipping_share(const section::WireState& state) {
-  std::size_t slips = 0, all = 0;
-  for (const section::LayerState& layer : state.layers) {
-    slips += static_cast<std::size_t>(std::ranges::count(layer.slips, true));
-    all += layer.slips.size();
-  }
-  return all > 0 ? static_cast<double>(slips) / static_cast<double>(all) : 0;
-}
-
-/// Where a wire stands in the cross-section.
-struct Wire {
-  std::size_t layer = 0;  // counted from 1, outward from the core
-  double turns = 0;       // where it begins at the left support, as a part of the turn
-  double lay = 0;         // [m] signed
-};
-
-std::vector<Wire> wires_of(const conductor::Strand& strand) {
-  std::vector<Wire> wires;
-  for (std::size_t j = 1; j < strand.layers.size(); ++j) {
-    const conductor::Layer& layer = strand.layers[j];
-    const double lay = 2 * std::numbers::pi * layer.helix_radius / std::tan(layer.lay_angle);
-    for (int i = 0; i < layer.wires; ++i) wires.push_back({.layer = j, .turns = double(i) / layer.wires, .lay = lay});
-  }
-  return wires;
-}
-
-/// From 0 to 1: the swept angle of a wire at a place.
-double turn_at(const Wire& wire, double x) {
-  const double turns = wire.turns + x / wire.lay;
-  return turns - std::floor(turns);
-}
-
-bool slips(const section::WireState& state, const Wire& wire, double x) {
-  const auto& around = state.layers[wire.layer - 1].slips;
-  return around[std::min(static_cast<std::size_t>(turn_at(wire, x) * static_cast<double>(around.size())),
-                         around.size() - 1)];
 }
 
 /// The cycle, gone through once more.
@@ -101,20 +61,10 @@ class Replay {
     return table;
   }
 
-  /// The wires of the cross-section where most slip; the core is number 0.
-  results::Table cross_section() const {
-    results::Table table({"layer", "wire", "across_m", "up_m", "radius_m", "slipping_share"});
-    table.append(std::array{0.0, 0.0, 0.0, 0.0, strand_.layers.front().diameter / 2, 0.0});
-    const std::size_t most = static_cast<std::size_t>(std::ranges::find(place_, row_.at) - place_.begin());
-    const auto i = static_cast<std::size_t>(std::ranges::find(shown_, most) - shown_.begin());
-    for (std::size_t w = 0; w < wires_.size(); ++w) {
-      const conductor::Layer& layer = strand_.layers[wires_[w].layer];
-      const double angle = 2 * std::numbers::pi * turn_at(wires_[w], row_.at);
-      table.append(std::array{static_cast<double>(wires_[w].layer), static_cast<double>(w + 1),
-                              layer.helix_radius * std::cos(angle), layer.helix_radius * std::sin(angle),
-                              layer.diameter / 2, share(i, w)});
-    }
-    return table;
+  /// Of the cycle, how much a wire slips in the cross-section where most do.
+  double share_where_most(std::size_t wire) const {
+    const auto most = static_cast<std::size_t>(std::ranges::find(place_, row_.at) - place_.begin());
+    return share(static_cast<std::size_t>(std::ranges::find(shown_, most) - shown_.begin()), wire);
   }
 
  private:
@@ -179,15 +129,6 @@ void add_figures(const Replay& replay, Outcome& outcome) {
                              .y = {"wire", "slipping_share"},
                              .caption = "The share of the cycle in which each wire slips, over a lay length. Wires are "
                                         "counted from the core outward, layer by layer."});
-  outcome.figures.push_back({.name = "cross_section",
-                             .title = "The cross-section that slips most",
-                             .kind = "wires",
-                             .table = "cross_section.csv",
-                             .x = "across_m",
-                             .y = {"up_m", "radius_m", "slipping_share"},
-                             .caption = fmt::format("At {:.3g} m; the colour is the share of the cycle in which a wire "
-                                                    "slips, and an empty circle does not.",
-                                                    replay.row().at)});
 }
 
 }  // namespace
@@ -200,8 +141,14 @@ void add_slip_cycle(const casefile::Scene& scene, const span::SpanAtRest& span,
   if (replay.row().largest_share == 0) return;
   outcome.tables.push_back({.file = "slip_map.csv", .table = replay.map()});
   outcome.tables.push_back({.file = "wire_map.csv", .table = replay.wire_map()});
-  outcome.tables.push_back({.file = "cross_section.csv", .table = replay.cross_section()});
   add_figures(replay, outcome);
+  add_cross_section(
+      scene.conductor->strand, replay.row().at, [&](std::size_t wire) { return replay.share_where_most(wire); },
+      "The cross-section that slips most",
+      fmt::format(
+          "At {:.3g} m; the colour is the share of the cycle in which a wire slips, and an empty circle does not.",
+          replay.row().at),
+      outcome);
 }
 
 std::vector<results::MemberNote> notes_of_slip_cycle() {

@@ -5,6 +5,7 @@
 /// The last cycle is gone through once more, from the state that the run ended in: of a steady vibration that is the
 /// next cycle, of a decay one that is a little too large. Nothing has to be looked at while the run goes on.
 
+#include "strandyn/results/reference.hpp"
 #include "strandyn/span/rest.hpp"
 #include "strandyn/study/analysis.hpp"
 
