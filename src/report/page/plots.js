@@ -108,7 +108,7 @@
       seen.unobserve(entry.target);
       draw(entry.target);
     }
-  }, { rootMargin: "400px" });
+  }, { rootMargin: "50px" });
   figures.forEach((figure) => seen.observe(figure));
   // Another colour scheme is another page.
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
