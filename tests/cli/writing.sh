@@ -60,5 +60,5 @@ CASE
 [ "$(wc -l < "$scratch/transient/energies.csv")" -gt 20000 ] || fail "the transient keeps too few rows"
 tail -n 1 "$scratch/transient/histories.csv" | grep -q "^$(awk -v n="$steps" 'BEGIN { print n / 1000 }')," ||
   fail "the last row is not the last step: $(tail -n 1 "$scratch/transient/histories.csv")"
-grep -q "one in [248] stands in histories.csv" "$scratch/transient.out" || fail "it does not say that rows are left out"
+grep -q "one in [0-9]* stands in histories.csv" "$scratch/transient.out" || fail "it does not say that rows are left out"
 finish
