@@ -100,7 +100,8 @@ int main(int argc, char** argv) {
                      "the bounds that physics sets them");
   verify->add_option("--cases", verification.folder, "folder of the cases (default: ./cases)");
   verify->add_flag("--json", verification.json, "print JSON");
-  verify->add_flag("--markdown", verification.markdown, "print the table of the extremes in Markdown");
+  verify->add_flag("--markdown", verification.markdown,
+                   "print the tables in Markdown (docs/validation.md, docs/extremes.md)");
   verify->callback([&] { verb = [&] { return app::verify(verification); }; });
 
   CLI::App* conductors = program.add_subcommand("conductors", "the catalogue of conductors");

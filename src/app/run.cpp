@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "interrupt.hpp"
+#include "shipped.hpp"
+#include "strandyn/report/format.hpp"
 #include "strandyn/report/page.hpp"
 #include "strandyn/report/progress.hpp"
 #include "strandyn/report/shown.hpp"
@@ -12,6 +14,7 @@
 #include "strandyn/results/earlier_run.hpp"
 #include "strandyn/results/folder.hpp"
 #include "strandyn/results/json.hpp"
+#include "strandyn/results/writing.hpp"
 #include "strandyn/study/run_case.hpp"
 #include "strandyn/study/shard.hpp"
 #include "streams.hpp"
@@ -61,6 +64,23 @@ study::Hooks speaking(study::Hooks hooks, const RunArguments& arguments, report:
   };
   hooks.warn = [](std::string_view what) { tell("warning: {}\n", what); };
   return hooks;
+}
+
+/// Where the results are, what they took to write, and where a newcomer goes from here.
+void tell_where(const std::filesystem::path& folder, bool has_page, double run_s) {
+  const results::Written written = results::written_so_far();
+  const double share = 100 * written.seconds / std::max({run_s, written.seconds, 1e-9});
+  tell("results in {} ({} MB, {} % of the time to write)\n", folder.string(),
+       report::significant(1e-6 * static_cast<double>(written.bytes), 2), report::significant(share, 2));
+  if (has_page) {
+    tell("  their page        {}\n", (folder / "report.html").string());
+  } else {
+    tell("  a page of them    strandyn report {}\n", folder.string());
+  }
+  const std::filesystem::path docs = shipped("docs", "share/doc/strandyn/docs");
+  if (!std::filesystem::exists(docs / "outputs.md")) return;
+  tell("  what is in them   {}\n  a first study     {}\n", (docs / "outputs.md").string(),
+       (docs / "tutorial.md").string());
 }
 
 /// results/<case name>, the shard in it where there is one.
@@ -121,12 +141,7 @@ ExitCode run_into(const std::filesystem::path& folder, const casefile::Scene& sc
   }
   if (!arguments.quiet) {
     for (const std::string& warning : result.warnings) tell("warning: {}\n", warning);
-    const std::string place = folder.string();
-    if (arguments.report) {
-      tell("results in {}, their page is {}/report.html\n", place, place);
-    } else {
-      tell("results in {}; `strandyn report {}` makes a page of them\n", place, place);
-    }
+    tell_where(folder, arguments.report, result.cost.wall_s);
   }
   if (!result.message.empty()) tell("strandyn: {}\n", result.message);
   if (unprinted) throw *unprinted;

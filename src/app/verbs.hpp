@@ -31,7 +31,7 @@ struct VerifyArguments {
   std::filesystem::path folder;    ///< of the cases; empty: ./cases, or those of the source tree
   std::vector<std::string> names;  ///< parts of names; empty: all. A first `extremes` asks for the table of hard cases
   bool json = false;
-  bool markdown = false;  ///< of the extremes
+  bool markdown = false;
 };
 
 /// Reads the case and prints its notes to standard error.

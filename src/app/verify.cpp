@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "shipped.hpp"
 #include "strandyn/report/text_table.hpp"
 #include "strandyn/results/json.hpp"
 #include "strandyn/results/record.hpp"
+#include "strandyn/version.hpp"
 #include "streams.hpp"
 #include "verbs.hpp"
 
@@ -79,22 +81,35 @@ void print_case(const VerifiedCase& c) {
   print("{}", table.str());
 }
 
-/// Those of the working folder, those installed with this program, or those it was built beside.
-std::filesystem::path shipped_cases() {
-  if (std::filesystem::is_directory("cases")) return "cases";
-  std::error_code unknown;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  const std::filesystem::path installed = program.parent_path().parent_path() / "share/strandyn/cases";
-  if (!unknown && std::filesystem::is_directory(installed)) return installed;
-  return STRANDYN_SOURCE_DIR "/cases";
+/// Where the expected value comes from; an entry without a source says why it must hold.
+std::string ground_of(const casefile::Verdict& v) {
+  std::string text = v.source.empty() ? v.reason : v.source;
+  for (auto bar = text.find('|'); bar != std::string::npos; bar = text.find('|', bar + 2)) text.insert(bar, 1, '\\');
+  return text;
+}
+
+void print_markdown(const std::vector<VerifiedCase>& cases) {
+  std::string folder;
+  for (const VerifiedCase& c : cases) {
+    const std::string here = c.name.substr(0, c.name.find('/') == std::string::npos ? 0 : c.name.find('/'));
+    if (here != folder || &c == &cases.front()) print("\n## {}\n", here.empty() ? "cases" : "cases/" + here);
+    folder = here;
+    print("\n### {}\n\n`cases/{}.toml`{}\n", c.title, c.name, c.error.empty() ? "" : ": **FAILED**, " + c.error);
+    if (c.verdicts.empty()) continue;
+    print("\n| quantity | expected | found | digits |  | source, or why |\n| --- | --- | --- | ---: | --- | --- |\n");
+    for (const casefile::Verdict& v : c.verdicts) {
+      print("| `{}` | {} | {} | {} | {} | {} |\n", v.path, v.wanted, v.found,
+            v.digits ? fmt::format("{:.1f}", *v.digits) : "", v.passed ? "passed" : "**FAILED**", ground_of(v));
+    }
+  }
 }
 
 }  // namespace
 
 ExitCode verify(const VerifyArguments& arguments) {
   if (!arguments.names.empty() && arguments.names.front() == "extremes") return verify_extremes(arguments);
-  if (arguments.markdown) throw InputError("--markdown is for `verify extremes`");
-  const std::filesystem::path folder = arguments.folder.empty() ? shipped_cases() : arguments.folder;
+  const std::filesystem::path folder =
+      arguments.folder.empty() ? shipped("cases", "share/strandyn/cases") : arguments.folder;
   const std::vector<VerifiedCase> cases =
       study::verify_cases(folder, arguments.names, [](const std::string& name) { tell("running {}\n", name); });
   if (cases.empty()) throw InputError("no case with an [accept] table has such a name; `ls cases` shows what there is");
@@ -103,6 +118,10 @@ ExitCode verify(const VerifyArguments& arguments) {
     std::vector<CaseRow> rows;
     for (const VerifiedCase& c : cases) rows.push_back(row_of(c));
     print_raw(results::to_text(results::to_value(rows)) + '\n');
+  } else if (arguments.markdown) {
+    print_markdown(cases);
+    print("\n{} of {} cases hold what they promise (strandyn {}, {}).\n", passed, cases.size(), program_version,
+          program_revision);
   } else {
     for (const VerifiedCase& c : cases) print_case(c);
     print("\n{} of {} cases hold what they promise\n", passed, cases.size());

@@ -29,6 +29,12 @@ std::string title_of(const CatalogueEntry& entry) {
   return plain(rest.substr(0, rest.find('"')));
 }
 
+/// "bluebird-acss" as "acss-bluebird": makers write the type behind a stroke.
+std::string last_word_first(const std::string& plain_name) {
+  const std::size_t dash = plain_name.rfind('-');
+  return dash == std::string::npos ? plain_name : plain_name.substr(dash + 1) + '-' + plain_name.substr(0, dash);
+}
+
 std::string first_word(const std::string& plain_name) {
   return plain_name.substr(0, plain_name.find('-'));
 }
@@ -38,7 +44,7 @@ std::string first_word(const std::string& plain_name) {
 const CatalogueEntry* find_entry(std::string_view name) {
   const std::string wanted = plain(name);
   for (const CatalogueEntry& entry : catalogue()) {
-    if (entry.name == wanted) return &entry;
+    if (entry.name == wanted || entry.name == last_word_first(wanted)) return &entry;
   }
   for (const CatalogueEntry& entry : catalogue()) {
     const std::string title = title_of(entry);

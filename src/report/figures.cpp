@@ -23,7 +23,7 @@ InputError refusal(const Figure& figure, std::string_view fault) {
 }
 
 void check(const Figure& figure, const Table& table) {
-  constexpr std::array<std::string_view, 6> kinds = {"line", "points", "band", "map", "section", "motion"};
+  constexpr std::array<std::string_view, 7> kinds = {"line", "points", "band", "map", "section", "motion", "wires"};
   if (std::find(kinds.begin(), kinds.end(), figure.kind) == kinds.end()) {
     throw refusal(figure, fmt::format("is of the kind '{}'; there are {}", figure.kind, fmt::join(kinds, ", ")));
   }
@@ -34,6 +34,12 @@ void check(const Figure& figure, const Table& table) {
   }
   if (figure.kind == "band" && figure.y.size() != 2) {
     throw refusal(figure, fmt::format("is a band of {} columns; it takes the low and the high one", figure.y.size()));
+  }
+  if (figure.kind == "wires" && figure.y.size() != 3) {
+    throw refusal(figure,
+                  fmt::format("shows wires by {} columns; it takes the height, the radius and the share that is "
+                              "coloured",
+                              figure.y.size()));
   }
   std::vector<std::string> asked = {figure.x};
   asked.insert(asked.end(), figure.y.begin(), figure.y.end());
@@ -190,6 +196,7 @@ void settle_axes(Plot& plot) {
 void add_lines(const Figure& figure, const Table& table, const std::vector<std::size_t>& rows, Plot& plot) {
   constexpr std::size_t few_points = 40;  // markers where single points can be told apart
   constexpr std::size_t most_names = 8;
+  constexpr std::size_t most_groups = 24;  // more cannot be told apart
   const bool band = figure.kind == "band";
   std::vector<std::string> columns = band ? figure.y : drawn_columns(figure, table, rows);
   if (columns.empty()) return;
@@ -200,19 +207,30 @@ void add_lines(const Figure& figure, const Table& table, const std::vector<std::
   const results::Groups groups = results::groups_of(table, figure.series, rows);
   const auto group_names = names_of(groups, figure.series);
   const auto colours = ramp(groups.size());
-  const auto named = results::evenly_spaced(groups.size(), most_names);
+  // The moments of a motion are shown one at a time.
+  const auto drawn = results::evenly_spaced(groups.size(), figure.kind == "motion" ? groups.size() : most_groups);
+  std::vector<std::size_t> named;
+  for (const std::size_t i : results::evenly_spaced(drawn.size(), most_names)) named.push_back(drawn[i]);
+  if (drawn.size() < groups.size()) {
+    plot.note = fmt::format("{} of {} lines are drawn; all are in {}.", drawn.size(), groups.size(), figure.table);
+  }
   std::size_t group = 0;
   for (const auto& [key, own_rows] : groups) {
+    if (std::find(drawn.begin(), drawn.end(), group) == drawn.end()) {
+      ++group;
+      continue;
+    }
     std::vector<Series> lines;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       Series line{.x = values_of(table, figure.x, own_rows), .y = values_of(table, columns[i], own_rows)};
       if (band) line.low = values_of(table, figure.y[0], own_rows);
       line.line = figure.kind != "points";
       line.markers = !line.line || (!band && line.x.size() <= few_points);
+      const std::string own = band ? "" : names.of_lines[i];
+      const bool both = !own.empty() && !group_names[group].empty();
+      line.label = own + (both ? ", " : "") + group_names[group];
       if (std::find(named.begin(), named.end(), group) != named.end()) {
-        const std::string own = band ? "" : names.of_lines[i];
-        const bool both = !own.empty() && !group_names[group].empty();
-        line.name = own + (both ? ", " : "") + group_names[group];
+        line.name = line.label;
         // A fit is the dashed line beside its points, in every group.
         const bool fit = columns.size() == 2 && says(columns[1], "fitted") && groups.size() > 1;
         if (fit) line.name = i == 0 ? group_names[group] : "";
@@ -245,6 +263,14 @@ std::optional<Plot> plot_of(const Figure& figure, const Table& table) {
             .x = {.label = along_x.name, .unit = along_x.unit, .log = figure.x_scale == "log"},
             .y = {.log = figure.y_scale == "log"}};
   const std::vector<std::size_t> rows = rows_inside(figure, table);
+  if (figure.kind == "wires") {
+    plot.wires = Wires{.label = results::label_of(figure.y[2]).name,
+                       .x = values_of(table, figure.x, rows),
+                       .y = values_of(table, figure.y[0], rows),
+                       .radius = values_of(table, figure.y[1], rows),
+                       .value = values_of(table, figure.y[2], rows)};
+    return rows.empty() ? std::nullopt : std::optional(std::move(plot));
+  }
   if (figure.kind == "map" && figure.y.size() == 2 && figure.series.empty()) {
     const Label along_y = results::label_of(figure.y[0]);
     const Label value = results::label_of(figure.y[1]);

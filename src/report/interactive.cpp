@@ -29,6 +29,7 @@ Value axis_of(const Axis& axis, const std::vector<std::vector<Point>>& all, doub
 
 Value line_of(const Series& series) {
   Value line = Value::object({{"name", series.name},
+                              {"label", series.label.empty() ? series.name : series.label},
                               {"x", list_of(series.x)},
                               {"y", list_of(series.y)},
                               {"colour", colour_of(series)},

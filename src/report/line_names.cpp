@@ -20,6 +20,7 @@ std::string without_end_zeros(std::string number) {
 }
 
 std::string in_words(double value, const std::string& key, bool named, int digits) {
+  if (key == "end") return value == 0 ? "left end" : "right end";
   const results::Label label = results::label_of(key);
   if (results::is_share(key))
     return fmt::format("{} {} %", label.name, without_end_zeros(typeset(100 * value, digits)));

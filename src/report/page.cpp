@@ -80,29 +80,39 @@ std::string warnings(const RunFolder& run) {
 
 std::string plots(const std::vector<Drawing>& drawings) {
   std::string body;
-  for (std::size_t i = 0; i < drawings.size(); ++i) {
-    const auto& [figure, drawn] = drawings[i];
+  std::size_t by_script = 0;
+  for (const auto& [figure, drawn] : drawings) {
     // Two stand side by side on the page: drawn smaller, so that their text keeps its size.
+    constexpr std::size_t most_points = 1500;  // of a line: three a pixel
     Plot plot = drawn;
     plot.width = 500;
     plot.height = 310;
-    body += fmt::format("<figure data-plot=\"{}\">\n<h3>{}</h3>\n{}<figcaption>{}</figcaption>\n</figure>\n", i,
-                        escaped(figure->title), svg(plot, SvgUse::inside_page), escaped(figure->caption));
+    for (Series& series : plot.series) series = thinned(series, most_points);
+    const std::string by_scripts = drawn.wires ? "" : fmt::format(" data-plot=\"{}\"", by_script++);
+    const std::string note = drawn.note.empty() ? "" : " " + drawn.note;
+    body += fmt::format("<figure{}>\n<h3>{}</h3>\n{}<figcaption>{}</figcaption>\n</figure>\n", by_scripts,
+                        escaped(figure->title), svg(plot, SvgUse::inside_page), escaped(figure->caption + note));
   }
   return body.empty() ? "" : section("Plots", "<div class=\"figures\">\n" + body + "</div>\n");
+}
+
+constexpr std::size_t most_rows_of_page = 60;
+
+/// How many rows a table does not show, and where all are; nothing where it shows them.
+std::string left_out(std::size_t shown, std::size_t all, const std::string& file) {
+  if (shown >= all) return {};
+  return fmt::format(
+      "<p class=\"note\">{} of {} rows, evenly spaced; {} are left out. All are in <a href=\"{}\">{}</a>.</p>\n", shown,
+      all, all - shown, escaped(file), escaped(file));
 }
 
 std::string shown_tables(RunFolder& run) {
   std::string out;
   for (const results::ShownTable& shown : run.shown) {
     const results::Table& table = run.table(shown.table);
-    const HtmlTable printed = html_of(shown, table);
+    const HtmlTable printed = html_of(shown, table, {.most_rows = most_rows_of_page});
     if (printed.rows.empty()) continue;
-    const std::string note = table.rows() > printed.rows.size()
-                                 ? fmt::format("<p class=\"note\">{} of {} rows of {}.</p>\n", printed.rows.size(),
-                                               table.rows(), escaped(shown.table))
-                                 : "";
-    out += section(shown.title, html(printed) + note);
+    out += section(shown.title, html(printed) + left_out(printed.rows.size(), table.rows(), shown.table));
   }
   return out;
 }
@@ -110,24 +120,27 @@ std::string shown_tables(RunFolder& run) {
 /// Whatever else the summary holds: lists of objects as tables, objects as lists, numbers in a row. What stands in a
 /// card, and the list of which a shown table is the file, are not shown twice.
 std::string other_results(const RunFolder& run) {
-  constexpr std::size_t most_rows = 100;
   std::vector<std::string> in_cards;
   for (const results::Highlight& highlight : run.highlights) in_cards.push_back(highlight.path);
   const auto is_shown = [&](const std::string& key) {
-    return std::any_of(run.shown.begin(), run.shown.end(),
-                       [&](const results::ShownTable& shown) { return shown.table == key + ".csv"; });
+    return std::any_of(run.shown.begin(), run.shown.end(), [&](const results::ShownTable& shown) {
+      return shown.table == key + ".csv" || shown.table.starts_with(key + "_");
+    });
   };
   std::string out;
   Value loose = Value::object();
   for (const auto& [key, value] : run.rest.members()) {
     if (is_list_of_objects(value)) {
-      if (!is_shown(key)) out += section(results::label_of(key).name, html(table_of_objects(value, {}, most_rows)));
+      const HtmlTable table = table_of_objects(value, {}, most_rows_of_page);
+      const std::string note = left_out(table.rows.size(), value.entries().size(), "summary.json");
+      if (!is_shown(key)) out += section(results::label_of(key).name, html(table) + note);
     } else if (value.is_object()) {
       out += section(results::label_of(key).name, html_of_object(value, {.path = key + ".", .left_out = &in_cards}));
     } else if (!value.is_list()) {
       loose.set(key, value);
     } else if (!value.entries().empty()) {
-      out += section(results::label_of(key).name, html_of_list(key, value, most_rows));
+      const std::string note = left_out(most_rows_of_page, value.entries().size(), "summary.json");
+      out += section(results::label_of(key).name, html_of_list(key, value, most_rows_of_page) + note);
     }
   }
   return section("Results", html_of_object(loose, {.left_out = &in_cards})) + out;
@@ -157,7 +170,7 @@ std::string the_case(const RunFolder& run) {
 std::string page(RunFolder& run, const std::vector<Drawing>& drawings) {
   std::vector<PagePlot> shown;
   for (const auto& [figure, plot] : drawings) {
-    shown.push_back({.name = figure->name, .plot = &plot, .moves = figure->kind == "motion"});
+    if (!plot.wires) shown.push_back({.name = figure->name, .plot = &plot, .moves = figure->kind == "motion"});
   }
   return fmt::format(
              "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

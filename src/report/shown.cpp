@@ -20,9 +20,9 @@ bool are_counts(const std::vector<double>& values) {
 }
 
 /// The rows that are printed; whole numbers without a unit are counts.
-Value rows_of(const results::ShownTable& shown, const results::Table& table) {
+Value rows_of(const results::ShownTable& shown, const results::Table& table, std::size_t most_rows) {
   Value rows = Value::list();
-  for (const std::size_t row : results::evenly_spaced(table.rows(), most_shown_rows)) {
+  for (const std::size_t row : results::evenly_spaced(table.rows(), most_rows)) {
     Value entry = Value::object();
     for (const std::string& name : shown.columns) {
       const auto& column = table.column(name);
@@ -83,17 +83,17 @@ std::string text_of(const std::vector<results::Highlight>& highlights) {
   return text;
 }
 
-HtmlTable html_of(const results::ShownTable& shown, const results::Table& table, bool for_terminal) {
+HtmlTable html_of(const results::ShownTable& shown, const results::Table& table, const Showing& how) {
   for (const std::string& name : shown.columns) {
     if (table.has(name)) continue;
     throw InputError(fmt::format("the shown table '{}' of summary.json asks for the column '{}' of {}, which has {}",
                                  shown.title, name, shown.table, fmt::join(table.names(), ", ")));
   }
-  return table_of_objects(rows_of(shown, table), {.for_terminal = for_terminal}, most_shown_rows);
+  return table_of_objects(rows_of(shown, table, how.most_rows), {.for_terminal = how.for_terminal}, how.most_rows);
 }
 
 std::string text_of(const results::ShownTable& shown, const results::Table& table) {
-  const HtmlTable printed = html_of(shown, table, true);
+  const HtmlTable printed = html_of(shown, table, {.for_terminal = true});
   if (printed.rows.empty()) return {};
   std::vector<TextColumn> heads;
   for (const auto& column : printed.columns) {
@@ -101,7 +101,8 @@ std::string text_of(const results::ShownTable& shown, const results::Table& tabl
   }
   TextTable text(std::move(heads));
   for (const auto& row : printed.rows) text.add_row({row.begin(), row.end()});
-  return text.str();
+  if (printed.rows.size() == table.rows()) return text.str();
+  return text.str() + fmt::format("({} of {} rows; all are in {})\n", printed.rows.size(), table.rows(), shown.table);
 }
 
 }  // namespace strandyn::report

@@ -72,6 +72,9 @@ Range data_range(const std::vector<std::vector<Point>>& all, const Axis& axis, d
 std::string drawn(const Cells& cells, const Plot& plot, const Scale& x, const Scale& y, Point top_left,
                   Point bottom_right);
 
+/// What stands in the place of axes and lines: circles as large as the frame lets them be.
+std::string drawn(const Wires& wires, Point top_left, Point bottom_right);
+
 /// Name, unit and ends of the colours, on one line that ends at `end`.
 std::string colour_key(const Cells& cells, Point end);
 

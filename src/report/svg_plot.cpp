@@ -122,6 +122,32 @@ std::string drawn(const std::vector<LegendEntry>& row, Point at) {
   return out;
 }
 
+std::string beginning(const Plot& plot, SvgUse use) {
+  const bool alone = use == SvgUse::standalone;
+  std::string out = fmt::format("<svg{} class=\"plot\" viewBox=\"0 0 {} {}\"{} role=\"img\" aria-label=\"{}\">\n",
+                                alone ? " xmlns=\"http://www.w3.org/2000/svg\"" : "", plot.width, plot.height,
+                                alone ? fmt::format(" width=\"{}\" height=\"{}\"", plot.width, plot.height) : "",
+                                escaped(plot.title));
+  if (alone) out += std::string(standalone_style) + "\n";
+  return out;
+}
+
+std::string svg_of_wires(const Plot& plot, SvgUse use) {
+  constexpr double side = 4;
+  std::string out = beginning(plot, use);
+  double top = 4;
+  if (use == SvgUse::standalone && !plot.title.empty()) {
+    out += text_at({side, title_size + 3}, "title", "start", plot.title);
+    top = title_size + 16;
+  }
+  const double bottom = plot.height - row_height;
+  out += drawn(*plot.wires, {side, top}, {plot.width - side, bottom});
+  Cells key;
+  key.label = plot.wires->label;
+  key.value = {0, 1};
+  return out + colour_key(key, {plot.width - side, plot.height - 6.0}) + "</svg>\n";
+}
+
 }  // namespace
 
 std::string svg(const Plot& plot, SvgUse use) {
@@ -130,6 +156,7 @@ std::string svg(const Plot& plot, SvgUse use) {
   std::vector<std::vector<Point>> all = points;
   for (const Series& series : plot.series) all.push_back(shown_points(series.x, series.low, plot));
   if (plot.cells) all.push_back(shown_points(plot.cells->x, plot.cells->y, plot));
+  if (plot.wires) return svg_of_wires(plot, use);
 
   Scale x(plot.x, data_range(all, plot.x, &Point::x), plot.width / 85);
   Scale y(plot.y, data_range(all, plot.y, &Point::y), plot.height / 55);
@@ -147,13 +174,7 @@ std::string svg(const Plot& plot, SvgUse use) {
       legend.size() == 1 && text_width(y.title, label_size) + 2 * legend_gap + width_of(legend[0]) < right - side;
   double top = titled ? title_size + 16 : 4;
 
-  std::string out;
-  const std::string_view name_space = use == SvgUse::standalone ? " xmlns=\"http://www.w3.org/2000/svg\"" : "";
-  out += fmt::format(
-      "<svg{} class=\"plot\" viewBox=\"0 0 {} {}\"{} role=\"img\" aria-label=\"{}\">\n", name_space, plot.width,
-      plot.height, use == SvgUse::standalone ? fmt::format(" width=\"{}\" height=\"{}\"", plot.width, plot.height) : "",
-      escaped(plot.title));
-  if (use == SvgUse::standalone) out += std::string(standalone_style) + "\n";
+  std::string out = beginning(plot, use);
   if (titled) out += text_at({side, title_size + 3}, "title", "start", plot.title);
   if (!beside) {
     for (const auto& row : legend) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "strandyn/core/error.hpp"
+#include "strandyn/results/writing.hpp"
 
 namespace strandyn::results {
 namespace {
@@ -100,6 +101,8 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   const auto fail = [&](int error_number) {
     return FileError(fmt::format("cannot write {}: {}", path.string(), cause(error_number)));
   };
+  const Writing writing;
+  Writing::count(content.size());
   TemporaryFile file(path);
   if (!file.is_open()) throw fail(errno);
   if (!file.write(content)) throw fail(errno);

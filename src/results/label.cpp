@@ -54,6 +54,17 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 43> unit_suf
     {"_B", "B"},
 }};
 
+/// Columns whose keys are a letter or a symbol.
+struct Name {
+  std::string_view key, name, unit;
+};
+constexpr std::array<Name, 6> names = {{{"t_s", "time", "s"},
+                                        {"x_m", "position", "m"},
+                                        {"arc_m", "position along the span", "m"},
+                                        {"at_m", "distance", "m"},
+                                        {"theta_rad", "angle around the lay", "rad"},
+                                        {"theta_deg", "angle around the lay", "°"}}};
+
 }  // namespace
 
 Label label_of(std::string_view key) {
@@ -63,7 +74,9 @@ Label label_of(std::string_view key) {
     if (last.unit.empty() && !whole.unit.empty()) return {whole.name + " " + last.name, whole.unit};
     return {std::string(key.substr(0, dot + 1)) + last.name, last.unit};
   }
-  if (key == "t_s") return {"time", "s"};
+  for (const auto& [short_key, name, unit] : names) {
+    if (key == short_key) return {std::string(name), std::string(unit)};
+  }
   // Symbols of the section keep their underscore: they are names, not words.
   const auto words = [](std::string_view name) {
     std::string text(name);

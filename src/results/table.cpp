@@ -11,6 +11,7 @@
 
 #include "strandyn/core/error.hpp"
 #include "strandyn/results/folder.hpp"
+#include "strandyn/results/writing.hpp"
 
 namespace strandyn::results {
 namespace {
@@ -122,6 +123,7 @@ Groups groups_of(const Table& table, const std::vector<std::string>& columns, co
 }
 
 void write_csv(const std::filesystem::path& path, const Table& table) {
+  const Writing writing;
   std::string text = fmt::format("{}\n", fmt::join(table.names(), ","));
   auto out = std::back_inserter(text);
   for (std::size_t row = 0; row < table.rows(); ++row) {

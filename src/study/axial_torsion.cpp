@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include "entries.hpp"
+#include "findings.hpp"
 #include "strandyn/build/section_law.hpp"
 #include "strandyn/conductor/constants.hpp"
 #include "strandyn/exact/costello.hpp"
@@ -61,6 +64,14 @@ class AxialTorsion final : public Analysis {
       summary.free_end.costello = TheoryRow{.k1 = loose.k1()};
     }
     outcome.tell(summary);
+    outcome.findings.push_back(
+        fmt::format("Pulled with its ends held against twist the strand has {} of axial stiffness, "
+                    "free to twist {}.",
+                    amount(c.EA, "N"), amount(c.EA_free_end(), "N")));
+    if (const auto& other = summary.fixed_end.costello) {
+      outcome.findings.push_back(fmt::format("Costello's theory says {} and {}.", amount(other->k1, "N"),
+                                             amount(summary.free_end.costello->k1, "N")));
+    }
     add_table(summary, strain, outcome);
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "strandyn/results/folder.hpp"
+#include "strandyn/results/writing.hpp"
 
 namespace strandyn::study {
 
@@ -98,7 +99,10 @@ void CycleLog::add(const Cycle& cycle) {
     if (last_.size() > most_kept) last_.pop_front();
   }
   if (path_.empty()) return;
-  file_ << line_of(count_, values) << std::flush;
+  const results::Writing writing;
+  const std::string line = line_of(count_, values);
+  results::Writing::count(line.size());
+  file_ << line << std::flush;
   if (!file_) throw FileError(fmt::format("{}: a cycle could not be written", path_.string()));
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cross_section.hpp"
 #include "strandyn/build/section_law.hpp"
+#include "strandyn/results/writing.hpp"
 
 namespace strandyn::study {
 
@@ -32,16 +34,6 @@ struct FieldsSummary {
 template <class V>
 void members(V& v, FieldsSummary& f) {
   v.record("fields", f.fields, {.what = "the moving span as a file, with [output]"});
-}
-
-/// Of the wires around the lay, all layers together.
-double slip_fraction(const section::WireState& state) {
-  std::size_t slips = 0, all = 0;
-  for (const section::LayerState& layer : state.layers) {
-    slips += static_cast<std::size_t>(std::ranges::count(layer.slips, true));
-    all += layer.slips.size();
-  }
-  return all > 0 ? static_cast<double>(slips) / static_cast<double>(all) : 0;
 }
 
 /// The two section points of an element.
@@ -88,8 +80,9 @@ results::Moment FieldWriter::moment_of(const system::System& system, const obser
   moment.in_cells.push_back(field("moment", [&](std::size_t p) { return bending(stresses, p); }));
   moment.in_cells.push_back(field("curvature", [&](std::size_t p) { return bending(strains, p); }));
   if (has_wires_) {
-    moment.in_cells.push_back(field(
-        "slip_fraction", [&](std::size_t p) { return slip_fraction(model.law->wires(system.history(), strains, p)); }));
+    moment.in_cells.push_back(field("slip_fraction", [&](std::size_t p) {
+      return slipping_share(model.law->wires(system.history(), strains, p));
+    }));
   }
   moment.in_cells.push_back(field("dissipated_J_per_m", [&](std::size_t p) { return dissipated_[p]; }));
   return moment;
@@ -116,6 +109,7 @@ void FieldWriter::step(const system::System& system, const observe::StepRecord& 
 }
 
 void FieldWriter::put(const results::Moment& moment) {
+  const results::Writing writing;
   if (!file_) {
     file_ = std::make_unique<results::VtkHdfFile>(path_, nodes_, kept_);
     if (kept_ == 0) file_->add(*initial_);
@@ -138,6 +132,9 @@ void FieldWriter::end(Outcome& outcome) {
   outcome.tell(FieldsSummary{.fields = {.file = file_name, .moments = file_->moments(), .every = every_}});
   outcome.written.emplace_back(file_name);
   file_.reset();
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path_, error);
+  if (!error) results::Writing::count(bytes);
 }
 
 std::vector<results::MemberNote> FieldWriter::notes() {

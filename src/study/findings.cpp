@@ -102,6 +102,21 @@ std::vector<std::string> findings_of(const SteadyRow& row, const observe::Profil
   return found;
 }
 
+std::vector<std::string> findings_of(const std::vector<LoopRow>& loops) {
+  if (loops.empty()) return {};
+  const LoopRow& widest = *std::ranges::max_element(loops, {}, &LoopRow::curvature);
+  std::vector<std::string> found;
+  found.push_back(
+      fmt::format("Bent to and fro by {:.3g} 1/m at a tension of {}, a metre loses {} in each cycle by "
+                  "friction; moment over curvature is {:.4g} N m² there.",
+                  widest.curvature, amount(widest.tension, "N"), amount(widest.area, "J"), widest.secant));
+  if (widest.chi_0 && widest.M_0) {
+    found.push_back(fmt::format("At that tension all wires slip beyond {:.3g} 1/m, at a moment of {}.", *widest.chi_0,
+                                amount(*widest.M_0, "N m")));
+  }
+  return found;
+}
+
 std::vector<std::string> findings_of(const std::vector<span::ModeRow>& modes) {
   if (modes.empty()) return {};
   const auto [low, high] = std::ranges::minmax(modes, {}, &span::ModeRow::frequency);
@@ -131,6 +146,39 @@ std::vector<std::string> findings_of(const self_damping::Fits& fits, const self_
   both("amplitudes", grids.by_amplitude);
   if (found.empty()) tell("All points", fits.fit, {});
   return found;
+}
+
+std::vector<std::string> findings_of_bench(const std::vector<self_damping::PointRow>& points) {
+  const auto read = std::ranges::find_if(
+      points, [](const self_damping::PointRow& p) { return p.bench && p.bench->iswr && p.bench->decay; });
+  if (read == points.end()) return {};
+  return {
+      fmt::format("At {:.4g} Hz and an antinode amplitude of {} the ledger has a loss of {}, the power of the shaker "
+                  "says {}, the decay {}; inverse standing wave ratios, which see the span between two nodes, {}.",
+                  read->frequency, amount(read->antinode_amplitude, "m"), amount(read->bench->ledger.power, "W/m"),
+                  amount(read->bench->power.power, "W/m"), amount(read->bench->decay->power, "W/m"),
+                  amount(read->bench->iswr->power, "W/m"))};
+}
+
+std::vector<std::string> findings_of(const std::vector<self_damping::BalanceRow>& balances) {
+  const self_damping::BalanceRow* largest = nullptr;
+  std::size_t held = 0;
+  for (const self_damping::BalanceRow& row : balances) {
+    if (!row.amplitude_over_diameter) continue;
+    ++held;
+    if (!largest || *row.amplitude_over_diameter > *largest->amplitude_over_diameter) largest = &row;
+  }
+  if (!largest) return {};
+  std::string text = fmt::format(
+      "In the wind the conductor vibrates most at {:.4g} Hz (wind of {:.3g} m/s), by {:.3g} of its "
+      "diameter",
+      largest->frequency, largest->wind_speed, *largest->amplitude_over_diameter);
+  if (largest->bare_amplitude) text += fmt::format("; without dampers {:.3g}", *largest->bare_amplitude);
+  if (held < balances.size()) {
+    text +=
+        fmt::format("; at {} of {} frequencies wind and losses meet nowhere", balances.size() - held, balances.size());
+  }
+  return {text + "."};
 }
 
 }  // namespace strandyn::study

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "findings.hpp"
+#include "loop_row.hpp"
 #include "section_parts.hpp"
 #include "strandyn/exact/full_slip.hpp"
 
@@ -139,7 +141,7 @@ class March {
   void record(std::size_t first, results::Table& history) {
     effort_ += law_->respond(memory_, strains_, stresses_, nullptr);
     for (std::size_t i = 0; i < loops_.size(); ++i) {
-      history.append(std::array{static_cast<double>(first + i), loops_[i].tension, strains_[Component::bending2][i],
+      history.append(std::array{static_cast<double>(first + i + 1), loops_[i].tension, strains_[Component::bending2][i],
                                 stresses_[Component::bending2][i]});
     }
   }
@@ -154,26 +156,6 @@ class March {
 };
 
 /// The members of `loops`.
-struct LoopRow {
-  double tension = 0;
-  std::optional<double> friction{};
-  bool residual_forces = true;
-  double curvature = 0, area = 0, secant = 0;
-  std::optional<double> chi_0{}, M_0{}, over_chi_0{};
-};
-template <class V>
-void members(V& v, LoopRow& l) {
-  v.value("tension_N", l.tension, {.what = "the tension"});
-  v.value("friction", l.friction, {.what = "the friction coefficient of all contacts, where it was varied"});
-  v.value("residual_forces", l.residual_forces, {.what = "whether the residual forces of stranding act"});
-  v.value("curvature_per_m", l.curvature, {.what = "amplitude of the symmetric cycle"});
-  v.value("area_J_per_m", l.area, {.what = "of the second cycle: what friction takes", .shown = "loop area"});
-  v.value("secant_stiffness_N_m2", l.secant, {.what = "largest moment over amplitude", .shown = "secant stiffness"});
-  v.value("chi_0_per_m", l.chi_0, {.what = "yield curvature, of full slip"});
-  v.value("M_0_N_m", l.M_0, {.what = "yield moment"});
-  v.value("curvature_over_chi_0", l.over_chi_0, {.what = "the amplitude over the yield curvature"});
-}
-
 LoopRow row_of(const Variant& variant, const Loop& loop) {
   LoopRow row{.tension = loop.tension,
               .friction = variant.friction,
@@ -393,6 +375,7 @@ void run_cycles(const Scene& scene, const Hooks& hooks, Outcome& outcome) {
       {.title = "Loops",
        .table = "loops.csv",
        .columns = {"loop", "tension_N", "curvature_per_m", "area_J_per_m", "secant_stiffness_N_m2"}});
+  outcome.findings = findings_of(summary.loops);
 }
 
 }  // namespace strandyn::study

@@ -16,11 +16,11 @@ std::vector<double> row_of(const section::Field& field) {
   return {field[bending2].begin(), field[bending2].begin() + static_cast<std::ptrdiff_t>(field.points())};
 }
 
-double amplitude(const std::vector<std::vector<double>>& moments, std::size_t point) {
-  double low = moments.front()[point], high = low;
-  for (const std::vector<double>& moment : moments) {
-    low = std::min(low, moment[point]);
-    high = std::max(high, moment[point]);
+double amplitude(const std::vector<section::Field>& cycle, std::size_t point) {
+  double low = cycle.front()[bending2][point], high = low;
+  for (const section::Field& strains : cycle) {
+    low = std::min(low, strains[bending2][point]);
+    high = std::max(high, strains[bending2][point]);
   }
   return (high - low) / 2;
 }
@@ -31,13 +31,14 @@ void SectionLoops::begin(const system::System& system, const observe::StepRecord
   const model::Model& model = system.model();
   const std::vector<double> arc = model::arc_lengths(model);
   length_ = arc.back();
+  dimension_ = system.committed_strains()[bending3].empty() ? section::Dimension::planar : section::Dimension::spatial;
   for (std::size_t e = 0; e + 1 < arc.size(); ++e) {
     for (const double part : beam::gauss_position) places_.push_back(std::lerp(arc[e], arc[e + 1], part));
   }
 }
 
 void SectionLoops::step(const system::System& system, const observe::StepRecord& record) {
-  now_.curvature.push_back(row_of(system.committed_strains()));
+  now_.strains.push_back(system.committed_strains());
   now_.moment.push_back(row_of(system.last_stresses()));
   constexpr double rounding = 1e-6;
   if (record.time * frequency_ + rounding < static_cast<double>(cycles_ + 1)) return;
@@ -49,13 +50,20 @@ void SectionLoops::step(const system::System& system, const observe::StepRecord&
 void SectionLoops::archive(Archive& a) {
   a(cycles_);
   for (Cycle* cycle : {&now_, &last_}) {
-    for (auto* rows : {&cycle->curvature, &cycle->moment}) {
-      std::size_t count = rows->size();
-      a(count);
-      constexpr std::size_t most = 1000000;  // a count may come from a file
-      if (count > most) throw FileError("a cycle of the state has more steps than a cycle can have");
-      rows->resize(count, std::vector<double>(places_.size()));
-      for (std::vector<double>& row : *rows) a(row);
+    std::size_t count = cycle->moment.size();
+    a(count);
+    constexpr std::size_t most = 1000000;  // a count may come from a file
+    if (count > most) throw FileError("a cycle of the state has more steps than a cycle can have");
+    if (a.reads()) *cycle = {};
+    for (std::size_t step = 0; step < count; ++step) {
+      if (a.reads()) {  // one by one: a file that ends early makes no large rows
+        cycle->moment.emplace_back(places_.size());
+        cycle->strains.emplace_back(dimension_, places_.size());
+      }
+      a(cycle->moment[step]);
+      for (const section::Component c : {axial, torsion, bending2, bending3}) {
+        if (section::carries(dimension_, c)) a(cycle->strains[step][c]);
+      }
     }
   }
 }
@@ -66,20 +74,20 @@ std::size_t SectionLoops::most_bent(bool beside_support) const {
   for (std::size_t point = 0; point < places_.size(); ++point) {
     const bool beside = std::min(places_[point], length_ - places_[point]) < loop_;
     if (beside != beside_support) continue;
-    const double size = amplitude(last_.curvature, point);
+    const double size = amplitude(last_.strains, point);
     if (size > largest) most = point, largest = size;
   }
   return most;
 }
 
 void SectionLoops::add_to(Outcome& outcome) const {
-  if (last_.curvature.empty()) return;
+  if (last_.strains.empty()) return;
   results::Table table({"x_m", "curvature_per_m", "moment_N_m"});
   for (const bool beside_support : {true, false}) {
     const std::size_t point = most_bent(beside_support);
     if (point == places_.size()) continue;
-    for (std::size_t i = 0; i < last_.curvature.size(); ++i) {
-      table.append(std::array{places_[point], last_.curvature[i][point], last_.moment[i][point]});
+    for (std::size_t i = 0; i < last_.strains.size(); ++i) {
+      table.append(std::array{places_[point], last_.strains[i][bending2][point], last_.moment[i][point]});
     }
   }
   if (table.rows() < 2) return;

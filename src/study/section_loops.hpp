@@ -17,17 +17,21 @@ class SectionLoops final : public observe::Observer {
   void archive(Archive& a) override;
   /// section_loops.csv and its figure, of the last whole cycle.
   void add_to(Outcome& outcome) const;
+  /// Of all steps of the last whole cycle; empty before one has ended.
+  const std::vector<section::Field>& strains() const { return last_.strains; }
 
  private:
   /// What all sections do in a cycle, moment by moment.
   struct Cycle {
-    std::vector<std::vector<double>> curvature, moment;  // [1/m], [N m]
+    std::vector<section::Field> strains;
+    std::vector<std::vector<double>> moment;  // [N m]
   };
   std::size_t most_bent(bool beside_support) const;
 
   double frequency_, loop_;
   std::vector<double> places_;  // [m] of the section points
   double length_ = 0;           // [m]
+  section::Dimension dimension_ = section::Dimension::planar;
   std::size_t cycles_ = 0;
   Cycle now_, last_;
 };

@@ -270,6 +270,8 @@ void SelfDamping::sum_up(const std::vector<PointRow>& rows, Reached reached, Out
   }
   outcome.tell(summary);
   outcome.findings = findings_of(summary.fits, summary.grids);
+  std::ranges::move(findings_of_bench(rows), std::back_inserter(outcome.findings));
+  if (summary.balances) std::ranges::move(findings_of(*summary.balances), std::back_inserter(outcome.findings));
   add_point_tables(scene_, rows, summary.fits.law, outcome);
   add_local_exponents(scene_, rows, outcome);
   add_readings(rows, outcome);

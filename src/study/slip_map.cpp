@@ -1,7 +1,10 @@
 #include "slip_map.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "cross_section.hpp"
 #include "strandyn/build/section_law.hpp"
 
 namespace strandyn::study {
@@ -15,6 +18,8 @@ SlipMap::SlipMap(const casefile::Scene& scene, const span::SpanAtRest& span, std
     : span_(span),
       wanted_(scene.as<casefile::StaticAnalysis>().slip_map_loads),
       point_(node > 0 ? node * beam::gauss_points - 1 : 0),
+      place_(model::arc_lengths(span.built.model)[node]),
+      strand_(scene.conductor ? &scene.conductor->strand : nullptr),
       table_({"load_N", "layer", "theta_rad", "force_N", "gradient_N_per_m", "limit_N_per_m", "slips"}) {
   std::sort(wanted_.begin(), wanted_.end());
 }
@@ -24,6 +29,7 @@ void SlipMap::watch(double load) {
     const section::WireState wires =
         span_.built.model.law->wires(span_.system.history(), span_.system.committed_strains(), point_);
     SlipMapRow& row = rows_.emplace_back();
+    last_ = wires;
     row.load = load;
     for (std::size_t j = 0; j < wires.layers.size(); ++j) {
       const section::LayerState& layer = wires.layers[j];
@@ -54,6 +60,13 @@ void SlipMap::add_to(Outcome& outcome) {
                              .series = {"load_N", "layer"},
                              .caption = "Force of the wires of each layer around the lay, at the section beside the "
                                         "loaded point."});
+  if (const conductor::Strand* strand = strand_; strand && !rows_.empty()) {
+    const std::vector<Wire> wires = wires_of(*strand);
+    add_cross_section(
+        *strand, place_, [&](std::size_t w) { return slips(last_, wires[w], place_) ? 1.0 : 0.0; }, "Wires that slip",
+        fmt::format("The section beside the loaded point under {:.4g} N: filled wires slip.", rows_.back().load),
+        outcome);
+  }
   if (next_ < wanted_.size()) {
     outcome.warnings.emplace_back("analysis.slip_map_loads_N asks for loads that the run did not reach");
   }

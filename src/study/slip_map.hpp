@@ -53,6 +53,9 @@ class SlipMap {
   std::vector<double> wanted_;  // [N] ascending
   std::size_t next_ = 0;
   std::size_t point_;
+  double place_;  // [m] of the node along the span
+  const conductor::Strand* strand_;
+  section::WireState last_;  // at the last load that was reached
   results::Table table_;
   std::vector<SlipMapRow> rows_;
 };

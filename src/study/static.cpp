@@ -4,6 +4,7 @@
 
 #include "cautions.hpp"
 #include "entries.hpp"
+#include "findings.hpp"
 #include "outlook.hpp"
 #include "share.hpp"
 #include "slip_map.hpp"
@@ -116,6 +117,21 @@ void members(V& v, StaticSummary& s) {
   v.list("limit_points", s.limit_points, {.what = "maxima and minima of the load, by parabolas through three steps"});
   v.value("right_end_m", s.right_end, {.what = "where the right end is at last"});
   v.record("reactions", s.reactions, {.what = "of the supports at last"});
+}
+
+std::vector<std::string> findings_of(const StaticSummary& summary) {
+  if (summary.steps.empty()) return {};
+  const StepRow& last = summary.steps.back();
+  std::string text = summary.turns ? fmt::format("At the end of the path a moment of {} turns its point by {:.3g} rad",
+                                                 amount(last.load, "N m"), last.displacement)
+                                   : fmt::format("At the end of the path a load of {} moves its point by {}",
+                                                 amount(last.load, "N"), amount(last.displacement, "m"));
+  if (summary.first_slip) {
+    text += fmt::format("; the first wire slips at {}", amount(*summary.first_slip, summary.turns ? "N m" : "N"));
+  }
+  const std::size_t turns = summary.limit_points ? summary.limit_points->size() : 0;
+  if (turns > 0) text += fmt::format("; the load turns {} times on the way", turns);
+  return {text + "."};
 }
 
 /// Each by the parabola through its three nearest steps; the path begins at nothing.
@@ -323,6 +339,7 @@ void Static::run(const Hooks& hooks, Outcome& outcome) {
     }
   }
   outcome.tell(summary);
+  outcome.findings = findings_of(summary);
   outcome.tables.push_back({.file = "shape.csv", .table = span::shape_of(span)});
   slip_map.add_to(outcome);
   outcome.cost.steps = found.steps.size();

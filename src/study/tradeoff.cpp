@@ -288,6 +288,11 @@ class Tradeoff final : public Analysis, public Pieces {
     outcome.tell(summary);
     add_settings(summary, outcome);
     add_tables(summary, outcome);
+    for (const CheapestRow& row : summary.cheapest) {
+      if (!row.number || !row.cost_ratio) continue;
+      outcome.findings.push_back(fmt::format("Within {:g} % of the reference: at {:.2g} of its cost (setting {}).",
+                                             100 * row.target, *row.cost_ratio, *row.number));
+    }
   }
 
   std::vector<StepBack> steps_back() const {

@@ -10,6 +10,7 @@
 #include "outlook.hpp"
 #include "plan.hpp"
 #include "share.hpp"
+#include "strandyn/core/kept_rows.hpp"
 #include "strandyn/observe/histories.hpp"
 #include "strandyn/observe/ledger.hpp"
 #include "transient_rows.hpp"
@@ -49,9 +50,10 @@ Components components(const Eigen::Vector3d& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// One row per step.
+/// The ledger over time.
 class EnergyHistory final : public observe::Observer {
  public:
+  explicit EnergyHistory(std::optional<double> rows_every) : rows_(rows_every) {}
   void begin(const system::System& system, const observe::StepRecord& initial) override {
     ledger_.begin(system, initial);
     append(initial.time);
@@ -64,8 +66,7 @@ class EnergyHistory final : public observe::Observer {
   bool wants_forces() const override { return true; }
   EnergySummary at_end() const {
     const observe::Account& a = ledger_.now();
-    EnergySummary out{.end = rows_.back(), .initial_kinetic = a.initial_kinetic};
-    out.largest_kinetic = std::ranges::max(rows_, {}, &EnergyRow::kinetic).kinetic;
+    EnergySummary out{.end = rows_.last(), .initial_kinetic = a.initial_kinetic, .largest_kinetic = largest_kinetic_};
     const double lost = a.dissipated();
     if (lost > 0) out.numerical_share = std::abs(a.numerical()) / lost;
     return out;
@@ -73,16 +74,19 @@ class EnergyHistory final : public observe::Observer {
   /// The whole run. What was lost along the way was there, too.
   ShareAccount account() const {
     const observe::Account& a = ledger_.now();
-    ShareAccount account{.numerical = a.numerical(), .quadrature_error = a.quadrature_error, .lost = a.dissipated()};
-    for (const EnergyRow& row : rows_) account.energy = std::max(account.energy, energy_of(row.kinetic, row.elastic));
-    return account;
+    return {.numerical = a.numerical(),
+            .quadrature_error = a.quadrature_error,
+            .lost = a.dissipated(),
+            .energy = largest_energy_};
   }
-  const std::vector<EnergyRow>& rows() const { return rows_; }
+  const KeptRows<EnergyRow>& rows() const { return rows_; }
 
  private:
   void append(double time) {
     const observe::Account& a = ledger_.now();
-    rows_.push_back({.time = time,
+    largest_kinetic_ = std::max(largest_kinetic_, a.kinetic);
+    largest_energy_ = std::max(largest_energy_, energy_of(a.kinetic, a.elastic));
+    rows_.add(time, {.time = time,
                      .kinetic = a.kinetic,
                      .elastic = a.elastic,
                      .external_work = a.external_work,
@@ -97,7 +101,8 @@ class EnergyHistory final : public observe::Observer {
   }
 
   observe::Ledger ledger_;
-  std::vector<EnergyRow> rows_;
+  KeptRows<EnergyRow> rows_;
+  double largest_kinetic_ = 0, largest_energy_ = 0;  // [J] of all steps
 };
 
 class ProgressReport final : public observe::Observer {
@@ -127,7 +132,8 @@ std::vector<ProbeRow> probe_rows(const observe::ProbeHistories& probes, const st
 }
 
 /// histories.csv, and the direction that moves most of each probe as a figure.
-void add_histories(const observe::ProbeHistories& probes, Outcome& outcome) {
+void add_histories(const observe::ProbeHistories& probes, const std::vector<KeptRows<EnergyRow>::Kept>& kept,
+                   Outcome& outcome) {
   std::vector<std::string> names = {"t_s"};
   std::vector<std::string> drawn;
   for (std::size_t i = 0; i < probes.size(); ++i) {
@@ -138,10 +144,10 @@ void add_histories(const observe::ProbeHistories& probes, Outcome& outcome) {
   }
   results::Table table(names);
   std::vector<double> row;
-  for (std::size_t t = 0; t < probes.times().size(); ++t) {
-    row = {probes.times()[t]};
+  for (const auto& [step, energies] : kept) {
+    row = {energies.time};
     for (std::size_t i = 0; i < probes.size(); ++i) {
-      const Eigen::Vector3d& d = probes.displacements(i)[t];
+      const Eigen::Vector3d& d = probes.displacements(i)[step];
       row.insert(row.end(), d.begin(), d.end());
     }
     table.append(row);
@@ -217,7 +223,7 @@ class Transient final : public Analysis {
     const bool blows = warn_of_blows(built_, plan.drives, duration, outcome);
     observe::ProbeHistories probes(probe_nodes(scene_, span.built.model));
     observe::MomentumObserver momentum;
-    EnergyHistory energy;
+    EnergyHistory energy(scene_.as<casefile::TransientAnalysis>().rows_every);
     ProgressReport progress(duration, hooks);
     std::vector<observe::Observer*> observers = {&probes, &momentum, &energy, &progress};
     std::optional<ClampObserver> clamps;
@@ -241,10 +247,18 @@ class Transient final : public Analysis {
     summary.energy = energy.at_end();
     outcome.tell(summary);
     outcome.findings = findings_of(summary.energy);
-    add_histories(probes, outcome);
+    const auto kept = energy.rows().rows();
+    add_histories(probes, kept, outcome);
     if (clamps) clamps->add_to({}, outcome);
     if (fields) fields->end(outcome);
-    outcome.tables.push_back({.file = "energies.csv", .table = results::table_of(energy.rows())});
+    std::vector<EnergyRow> rows;
+    for (const auto& [step, row] : kept) rows.push_back(row);
+    outcome.tables.push_back({.file = "energies.csv", .table = results::table_of(rows)});
+    if (energy.rows().stride() > 1) {
+      outcome.findings.push_back(
+          fmt::format("Of {} steps one in {} stands in histories.csv and energies.csv; analysis.rows_every_s chooses.",
+                      energy.rows().count() - 1, energy.rows().stride()));
+    }
     std::vector<std::string> drawn = {"kinetic_J", "elastic_J", "external_work_J"};
     if (!scene_.winds.empty()) drawn.emplace_back("wind_work_J");
     std::ranges::copy(loss_columns(scene_), std::back_inserter(drawn));

@@ -18,6 +18,7 @@
 #include "profile.hpp"
 #include "section_loops.hpp"
 #include "share.hpp"
+#include "slip_cycle.hpp"
 #include "steady_row.hpp"
 #include "strandyn/observe/fundamental.hpp"
 
@@ -214,6 +215,7 @@ void Vibration::run(const Hooks& hooks, Outcome& outcome) {
   if (clamps && cycles.count() > 0) clamps->add_to(cycles.cycles().back().antinode_amplitude, outcome);
   add_profile(profile, outcome);
   loops.add_to(outcome);
+  add_slip_cycle(scene_, span, loops.strains(), outcome);
   if (fields) fields->end(outcome);
   if (cycles.count() > 0) add_motion(span, fundamental, outcome);
   outcome.ended_early = interrupted || run.ending == solver::Ending::failed;
@@ -240,6 +242,7 @@ std::vector<results::MemberNote> notes_of_vibration() {
   std::ranges::move(CycleLog::notes(), std::back_inserter(notes));
   std::ranges::move(ClampObserver::notes(), std::back_inserter(notes));
   std::ranges::move(FieldWriter::notes(), std::back_inserter(notes));
+  std::ranges::move(notes_of_slip_cycle(), std::back_inserter(notes));
   return notes;
 }
 

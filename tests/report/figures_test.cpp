@@ -74,7 +74,7 @@ TEST_CASE("figures: every kind draws") {
     const std::string text = svg(plot(f, table));
     CHECK(find_markup_fault(text) == "");
     CHECK(count_of(text, "<path") >= 2);
-    CHECK(contains(text, ">theta (rad)</text>"));
+    CHECK(contains(text, ">angle around the lay (rad)</text>"));
   }
 }
 
@@ -88,8 +88,9 @@ TEST_CASE("figures: what a figure asks for and does not get is refused by name")
   CHECK(contains(fault(f), "asks for the column 's'"));
   f = figure("a", {"b"});
   f.kind = "pie";
-  CHECK(fault(f) ==
-        "the figure 'f' of summary.json is of the kind 'pie'; there are line, points, band, map, section, motion");
+  CHECK(
+      fault(f) ==
+      "the figure 'f' of summary.json is of the kind 'pie'; there are line, points, band, map, section, motion, wires");
   f.kind = "band";
   CHECK(contains(fault(f), "is a band of 1 columns; it takes the low and the high one"));
   f.kind = "line";
@@ -220,16 +221,57 @@ TEST_CASE("figures: a map of more cells than can be told apart draws some of the
 
 TEST_CASE("figures: of many lines some are named") {
   Table table({"mode", "x_m", "y"});
-  for (int mode = 1; mode <= 30; ++mode) {
+  for (int mode = 1; mode <= 20; ++mode) {
     for (int i = 0; i < 3; ++i) table.append(std::vector<double>{1.0 * mode, 1.0 * i, 1.0 * mode * i});
   }
   auto f = figure("x_m", {"y"});
   f.series = {"mode"};
   const Plot drawn = plot(f, table);
-  CHECK(drawn.series.size() == 30);
+  CHECK(drawn.series.size() == 20);
   int named = 0;
   for (const auto& line : drawn.series) named += !line.name.empty();
   CHECK(named == 8);
   CHECK(drawn.series.front().name == "mode 1");
-  CHECK(drawn.series.back().name == "mode 30");
+  CHECK(drawn.series.back().name == "mode 20");
+}
+
+TEST_CASE("the wires of a cross-section keep their proportions, and those that never slip are empty") {
+  const Table table = table_of_rows({"across_m", "up_m", "radius_m", "slipping_share"},
+                                    {{0, 0, 1e-3, 0}, {2e-3, 0, 1e-3, 1}, {-2e-3, 0, 1e-3, 0.25}, {0, 3e-3, 2e-3, 0}});
+  auto f = figure("across_m", {"up_m", "radius_m", "slipping_share"});
+  f.kind = "wires";
+  const std::string text = svg(plot(f, table));
+  CHECK(find_markup_fault(text) == "");
+  CHECK(count_of(text, "<circle") == 4);
+  CHECK(count_of(text, "fill=\"none\" cx") == 2);
+  // The reach of 5 mm upward is half of the height: 2 mm is twice the radius of 1 mm.
+  const auto number_after = [&](std::string_view key, std::size_t nth) {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i <= nth; ++i) at = text.find(key, at) + key.size();
+    return std::stod(text.substr(at));
+  };
+  const double radius = number_after(" r=\"", 0);
+  CHECK(std::abs(number_after(" r=\"", 3) - 2 * radius) < 0.02);
+  CHECK(std::abs(number_after(" cx=\"", 1) - number_after(" cx=\"", 0) - 2 * radius) < 0.03);
+  CHECK(std::abs(number_after(" cy=\"", 0) - number_after(" cy=\"", 3) - 3 * radius) < 0.03);
+
+  f.y.pop_back();
+  CHECK(contains(message_of<InputError>([&] { (void)plot_of(f, table); }), "shows wires by 2 columns"));
+}
+
+TEST_CASE("of many lines as many are drawn as can be told apart, and the rest is said") {
+  Table table({"loop", "curvature_per_m", "moment_N_m"});
+  for (int loop = 0; loop < 100; ++loop) {
+    for (const double x : {0.0, 1.0}) table.append(std::vector{double(loop), x, loop * x});
+  }
+  auto f = figure("curvature_per_m", {"moment_N_m"});
+  f.series = {"loop"};
+  const Plot drawn = plot(f, table);
+  CHECK(drawn.series.size() == 24);
+  CHECK(drawn.note == "24 of 100 lines are drawn; all are in t.csv.");
+  CHECK(drawn.series.front().y.back() == 0);
+  CHECK(drawn.series.back().y.back() == 99);
+  CHECK(drawn.series[1].label.find("loop") != std::string::npos);
+  f.kind = "motion";
+  CHECK(plot(f, table).series.size() == 100);
 }

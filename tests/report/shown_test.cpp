@@ -72,7 +72,8 @@ TEST_CASE("shown: of a long table at most twenty rows are printed, the first and
   strandyn::results::Table table({"cycle"});
   for (int i = 1; i <= 57; ++i) table.append(std::vector{1.0 * i});
   const auto text = text_of({.title = "t", .table = "t.csv", .columns = {"cycle"}}, table);
-  CHECK(std::count(text.begin(), text.end(), '\n') == 2 + 20);
+  CHECK(std::count(text.begin(), text.end(), '\n') == 2 + 20 + 1);
+  CHECK(contains(text, "(20 of 57 rows; all are in t.csv)"));
   CHECK(contains(text, "\n    1\n"));
   CHECK(contains(text, "\n   57\n"));
 }

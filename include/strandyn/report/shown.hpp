@@ -11,8 +11,11 @@
 
 namespace strandyn::report {
 
-/// Of long tables so many rows are shown: the first, the last, and evenly spaced ones between.
-inline constexpr std::size_t most_shown_rows = 20;
+/// Of long tables some rows are shown: the first, the last, and evenly spaced ones between.
+struct Showing {
+  std::size_t most_rows = 20;
+  bool for_terminal = false;
+};
 
 /// The number with the unit that its path ends with; a share in per cent.
 Quantity quantity_of(const results::Highlight& highlight);
@@ -22,7 +25,7 @@ std::string text_of(const std::vector<results::Highlight>& highlights);
 
 /// The columns as the page and as the terminal show them; energies share one prefix, so that the parts of a ledger can
 /// be read side by side. Empty where the table has no rows. Throw InputError where a column is missing.
-HtmlTable html_of(const results::ShownTable& shown, const results::Table& table, bool for_terminal = false);
+HtmlTable html_of(const results::ShownTable& shown, const results::Table& table, const Showing& how = {});
 std::string text_of(const results::ShownTable& shown, const results::Table& table);
 
 }  // namespace strandyn::report

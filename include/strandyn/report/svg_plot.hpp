@@ -15,7 +15,8 @@ namespace strandyn::report {
 enum class Colour { ink, blue, orange, green, red, violet, teal, grey };
 
 struct Series {
-  std::string name = {};  ///< in the legend; left out of it where empty
+  std::string name = {};   ///< in the legend; left out of it where empty
+  std::string label = {};  ///< of a line that is not in the legend, for whoever asks
   std::vector<double> x;
   std::vector<double> y;
   Colour colour = Colour::blue;
@@ -37,6 +38,13 @@ struct Cells {
   std::vector<double> value;
 };
 
+/// Wires of a cross-section, each with a value as its colour. Lengths in one unit; the drawing keeps their proportions.
+struct Wires {
+  std::string label = {};  ///< of the value, from 0 to 1
+  std::vector<double> x, y, radius;
+  std::vector<double> value;
+};
+
 struct Axis {
   std::string label = {};
   std::string unit = {};  ///< gets a prefix of its own where it takes one (J -> mJ)
@@ -51,8 +59,10 @@ struct Plot {
   Axis y = {};
   std::vector<Series> series = {};
   std::optional<Cells> cells = {};
-  int width = 720;   ///< [px]
-  int height = 400;  ///< [px]
+  std::optional<Wires> wires = {};  ///< alone: without axes
+  std::string note = {};            ///< what it leaves out, beside the caption
+  int width = 720;                  ///< [px]
+  int height = 400;                 ///< [px]
 };
 
 enum class SvgUse { standalone, inside_page };

@@ -18,10 +18,11 @@ namespace strandyn::results {
 struct Figure {
   std::string name;  ///< of the file that is drawn: "loops"
   std::string title;
-  std::string kind = "line";   ///< line, points, band, map, section, motion
+  std::string kind = "line";   ///< line, points, band, map, section, motion, wires
   std::string table;           ///< a file of the folder: "cycles.csv"
   std::string x;               ///< a column
-  std::vector<std::string> y;  ///< columns; of a `band` the low and the high one, of a `map` the one up and the colour
+  std::vector<std::string> y;  ///< columns; of a `band` the low and the high one, of a `map` the one up and the colour;
+                               ///< of `wires` the one up, the radius and the colour from 0 to 1
   std::vector<std::string> series = {};
   std::string x_scale = "linear";  ///< linear, log
   std::string y_scale = "linear";
@@ -33,7 +34,7 @@ template <class V>
 void members(V& v, Figure& f) {
   v.value("name", f.name, {.what = "the name of the drawing"});
   v.value("title", f.title, {.what = "the title"});
-  v.value("kind", f.kind, {.what = "line, points, band, map, section or motion"});
+  v.value("kind", f.kind, {.what = "line, points, band, map, section, motion or wires"});
   v.value("table", f.table, {.what = "the file with the data"});
   v.value("x", f.x, {.what = "the column along x"});
   v.value("y", f.y, {.what = "the columns along y, a line each"});

@@ -7,7 +7,8 @@
 
   const plots = JSON.parse(document.getElementById("plots").textContent);
   const colour = (name) => getComputedStyle(root).getPropertyValue(name).trim();
-  const scaled = (values, axis) => values.map((value) => value / axis.factor);
+  // What a logarithmic axis cannot show is a gap.
+  const scaled = (values, axis) => values.map((value) => value === null || (axis.log && !(value > 0)) ? null : value / axis.factor);
 
   const traces = (plot) => {
     const { x, y } = plot;
@@ -25,7 +26,8 @@
         type: "scatter", name: line.name, showlegend: line.name !== "", x: scaled(line.x, x), y: scaled(line.y, y),
         mode: [line.line && "lines", line.markers && "markers"].filter(Boolean).join("+"),
         line: { color: paint, width: line.width, dash: line.dashed ? "5px,4px" : "solid" },
-        marker: { color: paint, size: 6 }, hovertemplate: "%{x:.5g}, %{y:.5g}",
+        marker: { color: paint, size: 6 },
+        hovertemplate: `%{x:.5g}, %{y:.5g}<extra>${line.label.replace(/[<>&]/g, "")}</extra>`,
       };
       if (line.low) {
         const low = { ...trace, y: scaled(line.low, y), showlegend: false };
@@ -42,13 +44,19 @@
     ticks: "outside", tickcolor: colour("--muted"), automargin: true, exponentformat: "power",
   });
 
+  // The legend stands below the axis, in as many rows as its names ask for.
+  const legendHeight = (plot) => {
+    const names = plot.lines.map((line) => line.name).filter(Boolean);
+    const inRow = Math.max(1, Math.floor(430 / (46 + 6.2 * Math.max(0, ...names.map((name) => name.length)))));
+    return names.length > 0 ? 10 + 19 * Math.ceil(names.length / inRow) : 0;
+  };
+
   const layout = (plot) => ({
-    height: 330 + 17 * Math.ceil(plot.lines.filter((line) => line.name).length / 3),
-    margin: { l: 20, r: 16, t: 12, b: 20 }, paper_bgcolor: "transparent", plot_bgcolor: "transparent",
+    height: 330 + legendHeight(plot), margin: { l: 20, r: 16, t: 12, b: 46 + legendHeight(plot) }, paper_bgcolor: "transparent", plot_bgcolor: "transparent",
     font: { family: "inherit", size: 12.5, color: colour("--muted") }, hovermode: "closest",
     hoverlabel: { bgcolor: colour("--card"), font: { color: colour("--ink") }, bordercolor: colour("--line") },
     modebar: { bgcolor: "transparent", color: colour("--line"), activecolor: colour("--accent") },
-    legend: { orientation: "h", y: -0.2, yanchor: "top", x: 0, font: { size: 11.5 } }, xaxis: axis(plot.x), yaxis: axis(plot.y),
+    legend: { orientation: "h", yref: "container", y: 0, yanchor: "bottom", x: 0, font: { size: 11.5 } }, xaxis: axis(plot.x), yaxis: axis(plot.y),
   });
 
   // The lines of a figure that moves are its moments, one after the other.
@@ -100,7 +108,7 @@
       seen.unobserve(entry.target);
       draw(entry.target);
     }
-  }, { rootMargin: "400px" });
+  }, { rootMargin: "50px" });
   figures.forEach((figure) => seen.observe(figure));
   // Another colour scheme is another page.
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {

@@ -18,14 +18,16 @@ page.on("request", (request) => {
     faults.push(`a request leaves the page: ${request.url()}`);
   }
 });
-const begun = Date.now();
-await page.goto(`${pathToFileURL(pagePath)}#all`, { waitUntil: "load" });
-const opened = Date.now() - begun;
+// The processor time of the thread that draws: a crowded machine fails no page.
+const session = await page.context().newCDPSession(page);
+await session.send("Performance.enable", { timeDomain: "threadTicks" });
+await page.goto(`${pathToFileURL(pagePath)}#all`, { waitUntil: "load", timeout: 120000 });
+const opened = 1000 * (await session.send("Performance.getMetrics")).metrics.find((m) => m.name === "TaskDuration").value;
 const figures = await page.$$("figure[data-plot]");
 const drawn = await page.$$("figure.drawn .js-plotly-plot .main-svg");
 expect(figures.length > 0, "no figure");
 expect(drawn.length >= figures.length, `${figures.length} figures, ${drawn.length} drawn`);
-expect(opened < 5000, `opened in ${opened} ms`);
+expect(opened > 0 && opened < 5000, `all figures drawn in ${opened} ms of processor time`);
 
 // What a plot shows is what the file of its table holds, number by number.
 const summary = JSON.parse(readFileSync(`${folder}/summary.json`, "utf8"));
@@ -52,6 +54,14 @@ for (const plot of plots) {
   ++compared;
 }
 expect(compared >= 3, `only ${compared} plots could be compared with their tables`);
+
+// What needs no script: which wires slip where, and the cross-section.
+const slip = plots.filter((plot) => ["slip_map", "wire_map"].includes(plot.name));
+expect(slip.length === 2, "no map of slip");
+const wires = await page.$$eval("figure:not([data-plot]) svg.plot circle", (circles) => circles.map((c) => c.getAttribute("fill")));
+const section = columnsOf("cross_section.csv");
+expect(wires.length === section.wire.length, `${wires.length} wires are drawn, the strand has ${section.wire.length}`);
+expect(wires.every((fill, i) => (fill !== "none") === section.slipping_share[i] > 0), "a wire is drawn in another state");
 
 // The mouse: a label, a zoom, the way back.
 const first = await page.$("figure[data-plot] .live .nsewdrag");
@@ -104,5 +114,5 @@ expect(printed, "on paper the scripts' drawings stand where the figures belong")
 
 await browser.close();
 for (const fault of faults) console.log(`FAILED: ${fault}`);
-console.log(`${figures.length} figures, ${compared} compared with their tables, opened in ${opened} ms`);
+console.log(`${figures.length} figures, ${compared} compared with their tables, all drawn in ${opened.toFixed(0)} ms of processor time`);
 process.exit(faults.length > 0 ? 1 : 0);

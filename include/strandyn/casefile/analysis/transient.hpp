@@ -21,9 +21,10 @@ struct TransientAnalysis {
   static constexpr std::string_view word = "transient";
   static constexpr bool needs_span = true;
   static constexpr bool needs_mass = true;
-  double duration = 0;         ///< [s]
-  std::optional<Start> start;  ///< empty: loaded, and the run says so where it matters
-  std::vector<double> probes;  ///< [m] from the left support; empty: the right end and the loaded points
+  double duration = 0;               ///< [s]
+  std::optional<Start> start;        ///< empty: loaded, and the run says so where it matters
+  std::vector<double> probes;        ///< [m] from the left support; empty: the right end and the loaded points
+  std::optional<double> rows_every;  ///< [s] empty: every step of a run that is not long
 };
 
 template <class V>
@@ -38,6 +39,11 @@ void keys(V& v, TransientAnalysis& a) {
       {.help = "places whose motion is written, along the span (the right end and the loaded points unless given)",
        .unit = units::m,
        .at_least = 0});
+  v.number("rows_every_s", a.rows_every,
+           {.help = "the time between the rows of histories.csv and energies.csv (every step unless given, of a run of "
+                    "more than 40 000 steps 20 000 to 40 000 of them)",
+            .unit = units::s,
+            .above = 0});
 }
 
 }  // namespace strandyn::casefile
