@@ -24,6 +24,7 @@ class PeriodicMethod final : public Method {
     double rounds = 0;   ///< [-] around each of its loops
     double seconds = 0;  ///< [s] of an evaluation of a section, the equations of the span included
     bool slips = false;
+    int loops = 1;
   };
   Trial try_coarse(const Point& point) const;
   /// Of the point as it begins: its sections times its samples; and the coefficients of its harmonics.

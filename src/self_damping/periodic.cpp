@@ -152,7 +152,8 @@ PeriodicMethod::Trial PeriodicMethod::try_coarse(const Point& point) const {
     if (evaluations > 0) {
       return {.rounds = evaluations / loop,
               .seconds = seconds() / evaluations,
-              .slips = !found.solution.converged || found.solution.friction > 0};
+              .slips = !found.solution.converged || found.solution.friction > 0,
+              .loops = shaken.mode_number()};
     }
   } catch (const ComputationError&) {  // too coarse for its modes
   } catch (const InputError&) {
@@ -185,11 +186,12 @@ Expected PeriodicMethod::expected(const std::vector<Point>& points) const {
 }
 
 /// By a coarse point of three harmonics. Measured on random points of 1 to 60 loops: five harmonics go 1.3 to 2.7 times
-/// as often around their loops, where wires slip once for each coefficient; a chosen accuracy takes 8 to 10 times what
-/// its first setting takes, 1.6 to 4 times where nothing slips.
+/// as often around their loops, where wires slip once for each coefficient. A chosen accuracy takes 1.5 to 4 times what
+/// its first setting takes on three loops and fewer, up to 10 times on many; 1.6 to 4 times where nothing slips.
 std::optional<Expected> PeriodicMethod::expected_by_trial(const std::vector<Point>& points) const {
   constexpr double again = 1.8, within = 3.1, coefficients_of_default = 11;
-  constexpr double estimates_of_slip = 8.6, estimates_of_none = 2.4;
+  constexpr double estimates_of_none = 2.4;
+  const auto estimates_of_slip = [](int loops) { return std::min(2.6 * std::pow(loops, 0.6), 8.5); };
   constexpr double beside_sections = 1.9;  // of a chosen accuracy: so many spans and modes for short runs
   constexpr std::size_t most_tried = 3;    // the first, one between, and the last of many
   const std::size_t every = std::max<std::size_t>(1, (points.size() + most_tried - 2) / (most_tried - 1));
@@ -200,7 +202,7 @@ std::optional<Expected> PeriodicMethod::expected_by_trial(const std::vector<Poin
     const Size size = size_of(points[i]);
     double rounds = again * trial.rounds;
     if (trial.slips) rounds *= size.coefficients / coefficients_of_default;
-    if (casefile::target_error(scene_)) rounds *= trial.slips ? estimates_of_slip : estimates_of_none;
+    if (casefile::target_error(scene_)) rounds *= trial.slips ? estimates_of_slip(trial.loops) : estimates_of_none;
     const double evaluations = rounds * size.loops;
     const double beside = casefile::target_error(scene_) ? beside_sections : 1;
     expected += Expected{

@@ -31,7 +31,7 @@ class Accurate final : public Analysis {
     Outlook outlook = inner_->outlook();
     // How often mesh or step are to be refined shows in the run only; where wires slip, that grew like this, as the
     // middle of twofold either way.
-    constexpr double by_target = 0.36, twofold = 2;
+    constexpr double by_target = 0.36, twofold = 1.9;
     const Hooks nobody;
     const double once = 1 + Stretch(chosen_, choice_.setting(), choice_.mesh_ratio(), nobody).share_of_first();
     const bool refines = casefile::number_at("vibration.friction_of_half_a_cycle_J", outlook.modelled).value_or(0) > 0;

@@ -90,8 +90,7 @@ bool SettingChoice::refine(const ErrorEstimate& estimate) {
   const double allowed = std::min(share * target_, largest);
   if (mesh >= allowed) {
     // Errors of the mesh fall by steps: a mode is carried or it is not.
-    constexpr double far_away = 8;
-    const double factor = mesh > far_away * allowed ? 2 : std::numbers::sqrt2;
+    const double factor = std::clamp(std::sqrt(mesh / allowed), 1.2, 2.0);
     setting_.elements =
         std::min(static_cast<int>(std::lround(setting_.elements * factor)), most_finer * first_.elements);
   }
