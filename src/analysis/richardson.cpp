@@ -10,11 +10,17 @@ double richardson(double difference, std::optional<double> before, const Order& 
   const auto growth = [&](double q) { return std::pow(order.ratio, q); };
   if (!before || !std::isfinite(*before) || !(std::max(difference, *before) > 0))
     return unknown * difference / (growth(order.expected) - 1);
-  const double seen = std::log2(*before / difference) / std::log2(order.ratio);
+  /// What the difference would be, if the order were q.
+  const auto foreseen = [&](double q) { return *before * (1 - 1 / growth(q)) / (std::pow(order.ratio_before, q) - 1); };
   // Two runs may agree by chance: on both sides of a resonance, for one.
-  difference = std::max(difference, *before / growth(order.highest));
-  const double safety = seen >= order.expected - 0.5 ? sure : unsure;
-  return safety * difference / (growth(std::clamp(seen, order.least, order.highest)) - 1);
+  difference = std::max(difference, foreseen(order.highest));
+  const double safety = difference <= foreseen(order.expected - 0.5) ? sure : unsure;
+  double seen = order.least, above = order.highest;
+  for (int halving = 0; halving < 40; ++halving) {
+    const double middle = 0.5 * (seen + above);
+    (foreseen(middle) >= difference ? seen : above) = middle;
+  }
+  return safety * difference / (growth(seen) - 1);
 }
 
 }  // namespace strandyn::analysis

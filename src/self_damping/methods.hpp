@@ -15,9 +15,23 @@ class PeriodicMethod final : public Method {
   PointResult at(const Point& point, const Watch& watch) const override;
   Expected expected(const std::vector<Point>& points) const override;
   std::optional<PointChoice> first_choice(const Point& point) const override;
+  std::optional<Expected> expected_by_trial(const std::vector<Point>& points) const override;
 
  private:
   PointResult to_target(const Point& point, double target, const Watch& watch) const;
+  /// A coarse resonance, of what a point will take.
+  struct Trial {
+    double rounds = 0;   ///< [-] around each of its loops
+    double seconds = 0;  ///< [s] of an evaluation of a section, the equations of the span included
+    bool slips = false;
+    int loops = 1;
+  };
+  Trial try_coarse(const Point& point) const;
+  /// Of the point as it begins: its sections times its samples; and the coefficients of its harmonics.
+  struct Size {
+    double loops = 0, coefficients = 0;
+  };
+  Size size_of(const Point& point) const;
 
   const casefile::Scene& scene_;
   span::ResponseOptions options_;

@@ -40,6 +40,10 @@ std::vector<double> dissipation_of(const Scene& scene, const results::Value& sum
   return all;
 }
 
+int part_of(int number, double parts, int least) {
+  return std::max(static_cast<int>(std::lround(number / parts)), least);
+}
+
 /// A decay or a forced vibration.
 Lost run_analysis(const Scene& scene, const Hooks& hooks, Cost& cost) {
   Outcome outcome;
@@ -62,14 +66,18 @@ Scene with_setting(Scene scene, const Setting& setting) {
   return scene;
 }
 
-Stretch::Stretch(const Scene& scene, const Hooks& hooks, LossRun run)
+Stretch::Stretch(const Scene& scene, const Setting& first, double mesh_ratio, const Hooks& hooks, LossRun run)
     : scene_(scene),
+      first_(first),
+      mesh_ratio_(mesh_ratio),
       hooks_(hooks),
       run_(run ? std::move(run) : run_analysis),
       slips_(build::slips_by_points(scene.section.law)),
       resonates_(!scene.is<casefile::DecayAnalysis>()) {
   if (auto* decay = std::get_if<casefile::DecayAnalysis>(&scene_.analysis)) {
-    decay->cycles = cycles_to_run(decay->cycles);
+    const int all = decay->cycles;
+    decay->cycles = cycles_to_run(all);
+    share_of_cycles_ = static_cast<double>(decay->cycles) / all;
   }
 }
 
@@ -105,24 +113,52 @@ double Stretch::apart(const Lost& a, const Lost& b) {
   return std::max(std::abs(sum), std::sqrt(squares));
 }
 
-std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
-  // Near a resonance a step four times as long detunes too much to judge a mesh by.
-  constexpr int fewest_steps = 40;
-  const bool many_steps = setting.steps_per_cycle >= fewest_steps;
-  const int slow = many_steps && !resonates_ ? 4 : 2;
-  constexpr analysis::Order in_time{.least = 2, .highest = 2, .expected = 2};
-  constexpr analysis::Order in_space{.least = 1.5, .highest = 4, .expected = 2};
-  constexpr double by_points_alone = 1.5;
-  const auto with = [&](int elements_over, int steps_over, int points) -> const Lost& {
-    return run({.elements = std::max(setting.elements / elements_over, 1),
-                .steps_per_cycle = std::max(setting.steps_per_cycle / steps_over, 4),
-                .points = points});
+/// [J] by the steps of the search so far, on half the mesh that it began with.
+double Stretch::by_time(const Setting& setting) {
+  if (steps_.empty()) {
+    steps_ = {part_of(first_.steps_per_cycle, 2, 4)};
+    if (has_many_steps()) steps_.insert(part_of(first_.steps_per_cycle, 4, 4));
+  }
+  const auto now = steps_.insert(setting.steps_per_cycle).first;
+  if (now == steps_.begin()) return INFINITY;
+  Setting own = first_;
+  own.elements = part_of(first_.elements, 2, 1);
+  const auto with = [&](int steps) -> const Lost& {
+    own.steps_per_cycle = steps;
+    return run(own);
   };
-  const int p = setting.points;
-  const std::optional<int> finer = slips_ ? build::finer_points(p) : std::nullopt;
-  const std::array<const Lost*, 3> by_time = {&with(2, 1, p), &with(2, 2, p), &with(2, many_steps ? 4 : 2, p)};
-  const std::array<const Lost*, 3> by_mesh = {&with(1, slow, p), &with(2, slow, p), &with(4, slow, p)};
-  const std::array<const Lost*, 2> by_points = {&with(4, slow, p), &with(4, slow, finer.value_or(p))};
+  if (with(*now).dissipation.empty()) own.elements = first_.elements;
+  const int before = *std::prev(now);
+  const double ratio = static_cast<double>(*now) / before;
+  analysis::Order second{.least = 2, .highest = 2, .expected = 2, .ratio = ratio, .ratio_before = ratio};
+  std::optional<double> earlier;
+  if (std::prev(now) != steps_.begin()) {
+    const int first = *std::prev(now, 2);
+    second.ratio_before = static_cast<double>(before) / first;
+    earlier = apart(with(before), with(first));
+  }
+  return analysis::richardson(apart(with(*now), with(before)), earlier, second);
+}
+
+double Stretch::share_of_first() const {
+  const double m = mesh_ratio_, slow = 1.0 / times_slower();
+  const double time = 0.5 * (has_many_steps() ? 1.75 : 1.5);
+  const double points = slips_ ? slow / (m * m) : 0;
+  return share_of_cycles_ * (time + slow * (1 + 1 / m + 1 / (m * m)) + points);
+}
+
+std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
+  constexpr double by_points_alone = 1.5;
+  const int slow = part_of(first_.steps_per_cycle, times_slower(), 4);
+  const auto with = [&](double coarser, int points) -> const Lost& {
+    return run({.elements = part_of(setting.elements, coarser, 1), .steps_per_cycle = slow, .points = points});
+  };
+  const double m = mesh_ratio_;
+  const std::array<const Lost*, 3> by_mesh = {&with(1, first_.points), &with(m, first_.points),
+                                              &with(m * m, first_.points)};
+  const double time = by_time(setting);
+  const std::optional<int> finer = slips_ ? build::finer_points(setting.points) : std::nullopt;
+  const double points = finer ? apart(with(m * m, setting.points), with(m * m, *finer)) : 0;
   for (const auto& [at, result] : results_) {
     if (result.interrupted) return std::nullopt;
   }
@@ -133,12 +169,11 @@ std::optional<ErrorEstimate> Stretch::estimate(const Setting& setting) {
   ErrorEstimate estimate;
   estimate.section_evaluations = static_cast<double>(cost_.section_evaluations);
   if (!(size > 0) && !best.dissipation.empty()) return estimate;  // nothing moves
-  const std::optional<double> before_in_time =
-      many_steps ? std::optional(apart(*by_time[1], *by_time[2])) : std::nullopt;
-  estimate.time = analysis::richardson(apart(*by_time[0], *by_time[1]), before_in_time, in_time) / size;
+  const analysis::Order in_space{.least = 1.5, .highest = 4, .expected = 2, .ratio = m, .ratio_before = m};
+  estimate.time = time / size;
   estimate.mesh =
       analysis::richardson(apart(*by_mesh[0], *by_mesh[1]), apart(*by_mesh[1], *by_mesh[2]), in_space) / size;
-  if (finer) estimate.points = by_points_alone * apart(*by_points[0], *by_points[1]) / size;
+  if (finer) estimate.points = by_points_alone * points / size;
   return estimate;
 }
 

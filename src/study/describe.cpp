@@ -87,12 +87,14 @@ Value describe_case(const Scene& scene) {
   out.set("section", results::to_value(build::section_numbers(modelled)));
   const Outlook outlook = analysis->outlook();
   out.merge(outlook.modelled);
+  // Records of all kinds and their text; by peak memory of random cases.
+  constexpr double of_results = 2.5e6;
   const double mean = std::sqrt(outlook.evaluations_least * outlook.evaluations_most);
   out.set("expected_cost", results::to_value(ExpectedCost{.evaluations = mean,
                                                           .least = outlook.evaluations_least,
                                                           .most = outlook.evaluations_most,
                                                           .seconds = mean * outlook.seconds_per_evaluation,
-                                                          .memory = outlook.memory}));
+                                                          .memory = outlook.memory + of_results}));
   return out;
 }
 

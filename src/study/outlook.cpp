@@ -50,6 +50,7 @@ struct VibrationFacts {
   bool until_steady = false;
   double loop_length = 0;
   std::optional<double> amplitude{};
+  double friction = 0;
 };
 template <class V>
 void members(V& v, VibrationFacts& f) {
@@ -58,11 +59,13 @@ void members(V& v, VibrationFacts& f) {
   v.value("until_steady", f.until_steady, {.what = "whether it may end before"});
   v.value("loop_length_m", f.loop_length, {.what = "half a wave"});
   v.value("expected_amplitude_m", f.amplitude, {.what = "of the antinode, by trial cycles"});
+  v.value("friction_of_half_a_cycle_J", f.friction, {.what = "at that amplitude, by a trial"});
 }
 
 /// Ends an integration after a time [s] and counts its steps.
 struct Trial {
   double steps = 0, evaluations = 0, seconds = 0;
+  double friction = 0;  // [J]
 };
 
 Trial try_steps(double end_time, const system::Vector& velocity, const VibrationPlan& plan,
@@ -81,7 +84,8 @@ Trial try_steps(double end_time, const system::Vector& velocity, const Vibration
       solver::integrate(span.system, {.u = span.u, .v = velocity}, options, integration.method(), observers);
   return {.steps = static_cast<double>(std::max<std::size_t>(1, run.steps)),
           .evaluations = static_cast<double>(span.system.effort().evaluations - before),
-          .seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC};
+          .seconds = static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC,
+          .friction = ledger.cycles().empty() ? 0 : ledger.cycles().front().friction};
 }
 
 void expect_steps(double least, double most, const Trial& trial, Outlook& outlook) {
@@ -171,10 +175,18 @@ void add_vibration(const VibrationPlan& plan, const build::Integration& integrat
                        .loop_length = span.built.loop_length(plan.frequency)};
   const double amplitude = expected_amplitude(plan, span);
   if (amplitude > 0) facts.amplitude = amplitude;
-  outlook.tell("vibration", facts);
   system::Vector velocity = plan.velocity;
   if (amplitude > 0) velocity = 2 * std::numbers::pi * plan.frequency * amplitude * plan.shape;
-  const Trial trial = try_steps(0.5 / plan.frequency, velocity, plan, integration, span);
+  Trial trial = try_steps(0.5 / plan.frequency, velocity, plan, integration, span);
+  facts.friction = trial.friction;
+  outlook.tell("vibration", facts);
+  // What the first steps take is mostly what there is but once.
+  constexpr double short_time = 0.1;  // [s]
+  constexpr double cycles = 3;
+  if (trial.seconds < short_time) {
+    const Trial longer = try_steps(cycles / plan.frequency, velocity, plan, integration, span);
+    trial.seconds = longer.seconds / longer.evaluations * trial.evaluations;
+  }
   const double most = static_cast<double>(plan.cycles) * plan.steps_per_cycle();
   // Until it is steady: between some time constants of the damping and as many as are allowed.
   const double least = plan.until_steady ? std::max(most / 6, 40 * plan.steps_per_cycle()) : most;

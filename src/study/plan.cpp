@@ -238,7 +238,17 @@ VibrationPlan plan_vibration(const Scene& scene, const build::Integration& integ
 double expected_amplitude(const VibrationPlan& plan, const span::SpanAtRest& span) {
   if (plan.shape.size() == 0 || plan.frequency == 0) return 0;
   span::TrialCycles trial(span, plan.shape, plan.frequency);
-  return steady_amplitude(plan, span, trial);
+  // From rest a force that meets no loss gives pi F phi/(m omega^2) a cycle.
+  const double modal_mass = 2 * span.system.kinetic_energy(span.u.data(), plan.shape.data());
+  const double omega = 2 * std::numbers::pi * plan.frequency;
+  double growth = 0;
+  for (const model::Load& load : span.built.model.loads) {
+    if (!std::holds_alternative<model::Driven>(load.history)) continue;
+    growth += std::abs(load.force.dot(span.built.model.displacement(plan.shape.data(), load.node)));
+  }
+  growth *= std::numbers::pi / (modal_mass * omega * omega);
+  return std::min(steady_amplitude(plan, span, trial),
+                  start_amplitude(plan, span) + static_cast<double>(plan.cycles) * growth);
 }
 
 }  // namespace strandyn::study

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 
@@ -101,7 +102,7 @@ class SelfDamping final : public Analysis, public Pieces {
     const auto& keys = scene.as<casefile::SelfDampingAnalysis>();
     for (const Point& point : points_) make(point.method);
     if (needs_quadrature(keys)) make(DampingMethod::quadrature);
-    for (const auto& [word, method] : methods_) expected_ += method->expected(points_by(word));
+    for (const auto& [word, method] : methods_) expected_[word] = method->expected(points_by(word));
   }
 
   Outlook outlook() override {
@@ -113,13 +114,19 @@ class SelfDamping final : public Analysis, public Pieces {
     for (const Point& point : points_) ++facts.methods[std::string(name_of(point.method))];
     outlook.tell("study", facts);
     tell_accuracy(outlook);
-    outlook.evaluations_least = expected_.least;
-    outlook.evaluations_most = expected_.most;
     const double tension = points_.front().tension;
     // Where whole spans vibrate, as much again for the harmonics or the steps.
     const SlippingCycle cycle{.axial_strain = tension / build::section_numbers(scene_).EA, .tangents = true};
-    outlook.seconds_per_evaluation =
-        1.3 * slipping_time(*build::build_law(scene_, section::Dimension::planar), 16, cycle);
+    const double usual = 1.3 * slipping_time(*build::build_law(scene_, section::Dimension::planar), 16, cycle);
+    double seconds = 0;
+    for (const auto& [word, method] : methods_) {
+      const self_damping::Expected own = method->expected_by_trial(points_by(word)).value_or(expected_.at(word));
+      outlook.evaluations_least += own.least;
+      outlook.evaluations_most += own.most;
+      seconds += own.seconds > 0 ? own.seconds : usual * std::sqrt(own.least * own.most);
+    }
+    const double mean = std::sqrt(outlook.evaluations_least * outlook.evaluations_most);
+    outlook.seconds_per_evaluation = mean > 0 ? seconds / mean : usual;
     outlook.memory = memory_in_use();
     return outlook;
   }
@@ -189,7 +196,7 @@ class SelfDamping final : public Analysis, public Pieces {
   const Scene& scene_;
   std::vector<Point> points_;
   Methods methods_;
-  self_damping::Expected expected_;
+  std::map<DampingMethod, self_damping::Expected> expected_;
 };
 
 void SelfDamping::run(const Hooks& hooks, Outcome& outcome) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "strandyn/build/section_law.hpp"
 #include "strandyn/build/span.hpp"
@@ -12,7 +13,7 @@ using casefile::Scene;
 
 namespace {
 
-constexpr int most_rounds = 12;
+constexpr int most_rounds = 8;
 /// Times the elements and the steps begun with; beyond, the run says what it has not reached.
 constexpr int most_finer = 4;
 
@@ -67,7 +68,7 @@ void SettingChoice::begin() {
 }
 
 ErrorEstimate SettingChoice::search(const Hooks& hooks, Cost& cost) {
-  Stretch stretch(scene_, hooks, run_);
+  Stretch stretch(scene_, first_, mesh_ratio(), hooks, run_);
   std::optional<ErrorEstimate> estimate;
   for (int round = 0; round < most_rounds; ++round) {
     estimate = stretch.estimate(setting_);
@@ -79,8 +80,15 @@ ErrorEstimate SettingChoice::search(const Hooks& hooks, Cost& cost) {
   return *estimate;
 }
 
-/// Refines what gives the largest part of the error, of what the case has left open.
+double SettingChoice::mesh_ratio() const {
+  constexpr double wide_target = 0.05;
+  return target_ >= wide_target ? 2 : std::numbers::sqrt2;
+}
+
+/// Refines each part that takes more than its share of the target, of what the case has left open; else the largest.
 bool SettingChoice::refine(const ErrorEstimate& estimate) {
+  constexpr double share = 0.5, by_order = 1 / 1.75;
+  constexpr double least = std::numbers::sqrt2, most = 2 * std::numbers::sqrt2;
   const double mesh = elements_are_free() && setting_.elements < most_finer * first_.elements ? estimate.mesh : 0;
   const double time =
       steps_are_free() && setting_.steps_per_cycle < most_finer * first_.steps_per_cycle ? estimate.time : 0;
@@ -88,18 +96,18 @@ bool SettingChoice::refine(const ErrorEstimate& estimate) {
   const double points = points_are_free() && finer ? estimate.points.value_or(0) : 0;
   const double largest = std::max({mesh, time, points});
   if (largest == 0) return false;
-  // As much finer as a part of order two has to become, if it alone is to make up for all that is too much; errors of
-  // the mesh are of higher order.
-  const double wanted = std::isfinite(largest) ? (estimate.relative() - target_) / largest : 1;
-  const double factor = std::clamp(1 / std::sqrt(std::max(1 - 1.1 * wanted, 0.01)), 1.15, 2.5);
-  if (mesh == largest) {
-    const auto elements = static_cast<int>(std::ceil(setting_.elements * std::clamp(std::sqrt(factor), 1.2, 1.5)));
-    setting_.elements = std::min(elements, most_finer * first_.elements);
-  } else if (time == largest) {
-    setting_.steps_per_cycle = std::min(even(setting_.steps_per_cycle * factor), most_finer * first_.steps_per_cycle);
-  } else {
-    setting_.points = *finer;
+  const double allowed = std::min(share * target_, largest);
+  if (mesh >= allowed) {
+    // Errors of the mesh fall by steps: a mode is carried or it is not.
+    const double factor = std::clamp(std::sqrt(mesh / allowed), 1.2, 2.0);
+    setting_.elements =
+        std::min(static_cast<int>(std::lround(setting_.elements * factor)), most_finer * first_.elements);
   }
+  if (time >= allowed) {
+    const double factor = std::clamp(std::pow(time / allowed, by_order), least, most);
+    setting_.steps_per_cycle = std::min(even(setting_.steps_per_cycle * factor), most_finer * first_.steps_per_cycle);
+  }
+  if (points >= allowed) setting_.points = *finer;
   return true;
 }
 

@@ -53,6 +53,7 @@ class SettingChoice {
   ErrorEstimate search(const Hooks& hooks, Cost& cost);
   bool is_refined() const { return setting_ != first_; }
   const Setting& setting() const { return setting_; }
+  double mesh_ratio() const;  ///< [-] of the meshes that the estimate compares
   ChosenKeys keys() const;
   bool keeps_a_knob() const { return !elements_are_free() || !steps_are_free() || !points_are_free(); }
 

@@ -35,6 +35,14 @@ TEST_CASE("richardson: runs finer by another ratio than two say the same of the 
   }
 }
 
+TEST_CASE("richardson: steps from run to run need not be alike") {
+  constexpr analysis::Order uneven = {.least = 1, .highest = 4, .expected = 2, .ratio = 1.5, .ratio_before = 3};
+  for (const double q : {2.0, 3.0, 4.0}) {
+    const auto run = [q](double h) { return 7 + 0.01 * std::pow(h, q); };
+    check_close(richardson(run(1.5) - run(1), run(4.5) - run(1.5), uneven), 1.5 * 0.01, {.relative = 1e-9});
+  }
+}
+
 TEST_CASE("richardson: two runs that agree by chance are not believed") {
   CHECK(richardson(0, 1e-3, second) >= 1.5 * 1e-3 / 16 / 15);
   CHECK(richardson(1e-9, 1e-3, second) >= 1.5 * 1e-3 / 16 / 15 * (1 - 1e-12));

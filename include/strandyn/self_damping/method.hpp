@@ -56,9 +56,11 @@ struct PointResult {
 /// Section evaluations that something will take, at least and at most.
 struct Expected {
   double least = 0, most = 0;
+  double seconds = 0;  ///< [s] of a processor, where a trial tells them; else 0
   Expected& operator+=(const Expected& other) {
     least += other.least;
     most += other.most;
+    seconds += other.seconds;
     return *this;
   }
 };
@@ -90,6 +92,8 @@ class Method {
   virtual Expected expected(const std::vector<Point>& points) const = 0;
   /// Where the case asks for an accuracy: what a point begins with, of the knobs that the case leaves open.
   virtual std::optional<PointChoice> first_choice(const Point& point) const;
+  /// The same as `expected`, nearer, by a coarse computation of some of the points: of what may take so long.
+  virtual std::optional<Expected> expected_by_trial(const std::vector<Point>& /*points*/) const { return std::nullopt; }
 };
 
 /// Refuses (InputError) what the method cannot do with this scene, which must outlive it.
