@@ -21,9 +21,10 @@ struct Nodal {
   std::vector<double> u, v, a;
 };
 
-/// A chain of any elements, its nodes turned by up to `turn` [rad] in total and by `bend` from node to node.
+/// A chain of any elements, its nodes turned by up to `turn` [rad] in total and by `bend` from node to node, chords by
+/// `lean` against these.
 struct Scene {
-  Scene(unsigned seed, std::size_t elements, double turn, double bend) : random(seed) {
+  Scene(unsigned seed, std::size_t elements, double turn, double bend, double lean = 0) : random(seed) {
     Eigen::Matrix3d rotation = strandyn::math::rotation(turn * random.direction());
     Eigen::Vector3d shift = random.vector(1);
     for (std::size_t e = 0; e <= elements; ++e) {
@@ -33,7 +34,8 @@ struct Scene {
       if (e == elements) break;
       element.push_back(random.element());
       const Eigen::Matrix3d ahead = rotation * strandyn::math::rotation(random.between(0, bend) * random.direction());
-      const Eigen::Vector3d chord = 0.5 * (rotation + ahead) * element[e].span;
+      const Eigen::Matrix3d aside = strandyn::math::rotation(lean * random.direction());
+      const Eigen::Vector3d chord = aside * (0.5 * (rotation + ahead) * element[e].span);
       shift += chord - element[e].span + random.vector(0.05);
       rotation = ahead;
     }
@@ -74,9 +76,11 @@ struct Scene {
   Nodal state;
 };
 
-/// Small swings, large turns beyond the series' short cut, elements bent by more than a right angle, and almost a turn.
-const Scene scenes[] = {Scene(1, 1, 0.1, 0.1), Scene(2, 3, 1, 0.3), Scene(3, 4, 2.5, 1), Scene(4, 5, 3.1, 2.2),
-                        Scene(5, 17, 0.3, 0.05)};
+/// Small swings, turns beyond the series' short cut, elements bent by more than a right angle, many, and elements whose
+/// nodes stand across the chord or look backwards.
+const Scene scenes[] = {Scene(1, 1, 0.1, 0.1),   Scene(2, 3, 1, 0.3),     Scene(3, 4, 2.5, 1),
+                        Scene(4, 5, 3.1, 2.2),   Scene(5, 17, 0.3, 0.05), Scene(6, 9, 2, 0.3, 1.5),
+                        Scene(8, 9, 1, 0.2, 2.5)};
 
 using Dense = Eigen::MatrixXd;
 
