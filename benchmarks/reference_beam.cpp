@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "strandyn/solver/static/equilibrium.hpp"
+
 namespace strandyn::bench {
 
 using section::Component;
@@ -12,7 +14,11 @@ Span::Span(const std::string& name, const std::vector<std::string>& overrides)
       built(build::build_span(scene)),
       system(built.model),
       u(system.make_vector()) {
-  system.begin(u);
+  if (built.hanging.size() > 0) {
+    u = solver::find_rest(system, {.guess = built.hanging, .straight = built.straight});
+  } else {
+    system.begin(u);
+  }
 }
 
 system::Vector sine_velocity(const Span& span, int loops, double antinode_velocity) {

@@ -11,10 +11,11 @@
 
 #include <numbers>
 
-#include "planar_lanes_kernel.hpp"
+#include "element_rows.hpp"
+#include "strandyn/beam/planar_element.hpp"
 
 HWY_BEFORE_NAMESPACE();
-namespace strandyn::beam::planar_lanes_kernel {
+namespace strandyn::beam::lanes {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -26,8 +27,9 @@ HWY_INLINE V set(double value) {
   return hn::Set(tag, value);
 }
 
-/// One register of elements.
-struct Register {
+/// One register of elements, or of nodes, of a chain whose rows have the names `Row`.
+template <class Row>
+struct RegisterOf {
   const Rows& rows;
   std::size_t first;
 
@@ -37,6 +39,54 @@ struct Register {
     return hn::LoadU(tag, rows.data + row * rows.stride + first + node);
   }
   HWY_INLINE void set(Row row, V value) const { hn::Store(value, tag, rows.data + row * rows.stride + first); }
+};
+
+/// 6 xi - 4 and 6 xi - 2 at a Gauss point: d chi/d rotation, times the length.
+constexpr double curvature_slope(std::size_t g, std::size_t node) {
+  return 6 * gauss_position[g] - (node == 0 ? 4 : 2);
+}
+
+/// Of two Gauss points for each element, side by side.
+HWY_INLINE V mean_of(const double* points, std::size_t first, double weight_1, double weight_2) {
+  V one, two;
+  hn::LoadInterleaved2(tag, points + gauss_points * first, one, two);
+  return hn::MulAdd(set(gauss_weight * weight_1), one, hn::Mul(set(gauss_weight * weight_2), two));
+}
+/// Of what works on a rotation by bending.
+HWY_INLINE V moment_of(const double* points, std::size_t first, std::size_t node) {
+  return mean_of(points, first, curvature_slope(0, node), curvature_slope(1, node));
+}
+
+/// The Hermite table of an element (hermite_table.hpp) times one direction of (x_1, t_1, x_2, t_2).
+/// `c` is mass/420.
+struct HermiteTable {
+  HWY_INLINE HermiteTable(V c, V l0) {
+    const V cl = hn::Mul(c, l0);
+    const V cll = hn::Mul(cl, l0);
+    near = hn::Mul(set(156), c);
+    far = hn::Mul(set(54), c);
+    near_turn = hn::Mul(set(22), cl);
+    far_turn = hn::Mul(set(13), cl);
+    turn = hn::Mul(set(4), cll);
+    turns = hn::Mul(set(-3), cll);
+  }
+  V near, far, near_turn, far_turn, turn, turns;
+
+  struct Four {
+    V x_1, t_1, x_2, t_2;
+  };
+  HWY_INLINE Four times(const Four& X) const {
+    Four P;
+    P.x_1 = hn::MulAdd(near, X.x_1, hn::Mul(near_turn, X.t_1));
+    P.x_1 = hn::MulAdd(far, X.x_2, hn::NegMulAdd(far_turn, X.t_2, P.x_1));
+    P.t_1 = hn::MulAdd(near_turn, X.x_1, hn::Mul(turn, X.t_1));
+    P.t_1 = hn::MulAdd(far_turn, X.x_2, hn::MulAdd(turns, X.t_2, P.t_1));
+    P.x_2 = hn::MulAdd(far, X.x_1, hn::Mul(far_turn, X.t_1));
+    P.x_2 = hn::MulAdd(near, X.x_2, hn::NegMulAdd(near_turn, X.t_2, P.x_2));
+    P.t_2 = hn::NegMulAdd(far_turn, X.x_1, hn::Mul(turns, X.t_1));
+    P.t_2 = hn::NegMulAdd(near_turn, X.x_2, hn::MulAdd(turn, X.t_2, P.t_2));
+    return P;
+  }
 };
 
 /// atan2(y, x)
@@ -54,6 +104,6 @@ HWY_INLINE V wrapped(V angle) {
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace strandyn::beam::planar_lanes_kernel
+}  // namespace strandyn::beam::lanes
 HWY_AFTER_NAMESPACE();
 #endif

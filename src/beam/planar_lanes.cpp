@@ -12,18 +12,11 @@ namespace {
 
 constexpr std::size_t unknowns = 3;  // of a node
 
-/// Rows hold whole registers and one node more, and begin on lines of the cache.
-constexpr std::size_t stride_for(std::size_t elements) {
-  constexpr std::size_t line = 8;
-  static_assert(line % most_lanes == 0);
-  return (elements + 1 + most_lanes + line - 1) / line * line;
-}
-
 }  // namespace
 
 PlanarLanes::PlanarLanes(std::span<const PlanarElement> elements, double mass_per_length)
     : elements_(elements.size()),
-      stride_(stride_for(elements.size())),
+      stride_(lanes::stride_for(elements.size())),
       rows_(row_count * stride_, 0.0),
       stiffness_(stiffness_entries * stride_, 0.0),
       inertia_(inertia_entries * stride_, 0.0) {

@@ -6,16 +6,13 @@
 #include <hwy/foreach_target.h>
 
 #include "element_lanes-inl.hpp"
-#include "strandyn/beam/planar_element.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace strandyn::beam::planar_lanes_kernel {
 namespace HWY_NAMESPACE {
 
-/// 6 xi - 4 and 6 xi - 2 at a Gauss point: d chi/d rotation, times the length.
-constexpr double curvature_slope(std::size_t g, std::size_t node) {
-  return 6 * gauss_position[g] - (node == 0 ? 4 : 2);
-}
+using namespace lanes::HWY_NAMESPACE;
+using Register = RegisterOf<Row>;
 
 void find_kinematics_here(const Rows& rows, double* eps, double* chi) {
   const std::size_t lanes = hn::Lanes(tag);
@@ -60,16 +57,6 @@ void find_kinematics_here(const Rows& rows, double* eps, double* chi) {
 struct LocalForce {
   V stretch, moment1, moment2;
 };
-
-HWY_INLINE V mean_of(const double* points, std::size_t first, double weight_1, double weight_2) {
-  V one, two;
-  hn::LoadInterleaved2(tag, points + gauss_points * first, one, two);
-  return hn::MulAdd(set(gauss_weight * weight_1), one, hn::Mul(set(gauss_weight * weight_2), two));
-}
-/// Of what works on a rotation by bending.
-HWY_INLINE V moment_of(const double* points, std::size_t first, std::size_t node) {
-  return mean_of(points, first, curvature_slope(0, node), curvature_slope(1, node));
-}
 
 HWY_INLINE LocalForce local_force(const Register& at, const double* N, const double* M) {
   const V stretch = mean_of(N, at.first, 1, 1);
@@ -192,42 +179,9 @@ void find_directions_here(const Rows& rows) {
   }
 }
 
-/// The Hermite table of an element (hermite_table.hpp) times one direction of (x_1, t_1, x_2, t_2).
-struct Table {
-  HWY_INLINE explicit Table(const Register& at) {
-    const V c = at[mass];
-    const V l0 = at[length];
-    const V cl = hn::Mul(c, l0);
-    const V cll = hn::Mul(cl, l0);
-    near = hn::Mul(set(156), c);
-    far = hn::Mul(set(54), c);
-    near_turn = hn::Mul(set(22), cl);
-    far_turn = hn::Mul(set(13), cl);
-    turn = hn::Mul(set(4), cll);
-    turns = hn::Mul(set(-3), cll);
-  }
-  V near, far, near_turn, far_turn, turn, turns;
-
-  struct Four {
-    V x_1, t_1, x_2, t_2;
-  };
-  HWY_INLINE Four times(const Four& X) const {
-    Four P;
-    P.x_1 = hn::MulAdd(near, X.x_1, hn::Mul(near_turn, X.t_1));
-    P.x_1 = hn::MulAdd(far, X.x_2, hn::NegMulAdd(far_turn, X.t_2, P.x_1));
-    P.t_1 = hn::MulAdd(near_turn, X.x_1, hn::Mul(turn, X.t_1));
-    P.t_1 = hn::MulAdd(far_turn, X.x_2, hn::MulAdd(turns, X.t_2, P.t_1));
-    P.x_2 = hn::MulAdd(far, X.x_1, hn::Mul(far_turn, X.t_1));
-    P.x_2 = hn::MulAdd(near, X.x_2, hn::NegMulAdd(near_turn, X.t_2, P.x_2));
-    P.t_2 = hn::NegMulAdd(far_turn, X.x_1, hn::Mul(turns, X.t_1));
-    P.t_2 = hn::NegMulAdd(near_turn, X.x_2, hn::MulAdd(turn, X.t_2, P.t_2));
-    return P;
-  }
-};
-
 /// The table times the second time derivative of (x_1, t_1, x_2, t_2), in both directions.
 struct MomentumRate {
-  HWY_INLINE explicit MomentumRate(const Register& at, const Table& table) {
+  HWY_INLINE explicit MomentumRate(const Register& at, const HermiteTable& table) {
     // t'' = theta'' n - theta'^2 t
     const V turn1 = at[acceleration_turn];
     const V turn2 = at.at_node(acceleration_turn, 1);
@@ -242,13 +196,13 @@ struct MomentumRate {
                      .x_2 = at.at_node(acceleration_y, 1),
                      .t_2 = hn::NegMulAdd(square2, at[sine_2], hn::Mul(turn2, at[cosine_2]))});
   }
-  Table::Four X, Y;
+  HermiteTable::Four X, Y;
 };
 
 void find_inertia_force_here(const Rows& rows) {
   for (std::size_t e = 0; e < rows.elements; e += hn::Lanes(tag)) {
     const Register at{rows, e};
-    const MomentumRate P(at, Table(at));
+    const MomentumRate P(at, HermiteTable(at[mass], at[length]));
     at.set(force_x_1, P.X.x_1);
     at.set(force_y_1, P.Y.x_1);
     at.set(moment_1, hn::NegMulAdd(P.X.t_1, at[sine_1], hn::Mul(P.Y.t_1, at[cosine_1])));
@@ -279,7 +233,7 @@ void find_inertia_tangent_here(const Rows& rows, const InertiaFactors& factors, 
   for (std::size_t e = 0; e < rows.elements; e += hn::Lanes(tag)) {
     const Register at{rows, e};
     const Tile out(tiles, e, inertia_entries);
-    const Table table(at);
+    const HermiteTable table(at[mass], at[length]);
     const MomentumRate P(at, table);
     const Pair along1{at[cosine_1], at[sine_1]};
     const Pair along2{at[cosine_2], at[sine_2]};
@@ -314,20 +268,20 @@ void find_inertia_tangent_here(const Rows& rows, const InertiaFactors& factors, 
 void find_kinetic_energy_here(const Rows& rows) {
   for (std::size_t e = 0; e < rows.elements; e += hn::Lanes(tag)) {
     const Register at{rows, e};
-    const Table table(at);
+    const HermiteTable table(at[mass], at[length]);
     const V turn1 = at[rate_turn];
     const V turn2 = at.at_node(rate_turn, 1);
-    const Table::Four X{.x_1 = at[rate_x],
-                        .t_1 = hn::Neg(hn::Mul(turn1, at[sine_1])),
-                        .x_2 = at.at_node(rate_x, 1),
-                        .t_2 = hn::Neg(hn::Mul(turn2, at[sine_2]))};
-    const Table::Four Y{.x_1 = at[rate_y],
-                        .t_1 = hn::Mul(turn1, at[cosine_1]),
-                        .x_2 = at.at_node(rate_y, 1),
-                        .t_2 = hn::Mul(turn2, at[cosine_2])};
+    const HermiteTable::Four X{.x_1 = at[rate_x],
+                               .t_1 = hn::Neg(hn::Mul(turn1, at[sine_1])),
+                               .x_2 = at.at_node(rate_x, 1),
+                               .t_2 = hn::Neg(hn::Mul(turn2, at[sine_2]))};
+    const HermiteTable::Four Y{.x_1 = at[rate_y],
+                               .t_1 = hn::Mul(turn1, at[cosine_1]),
+                               .x_2 = at.at_node(rate_y, 1),
+                               .t_2 = hn::Mul(turn2, at[cosine_2])};
     V twice = hn::Zero(tag);
-    for (const Table::Four* motion : {&X, &Y}) {
-      const Table::Four P = table.times(*motion);
+    for (const HermiteTable::Four* motion : {&X, &Y}) {
+      const HermiteTable::Four P = table.times(*motion);
       twice = hn::MulAdd(motion->x_1, P.x_1, hn::MulAdd(motion->t_1, P.t_1, twice));
       twice = hn::MulAdd(motion->x_2, P.x_2, hn::MulAdd(motion->t_2, P.t_2, twice));
     }

@@ -1,14 +1,14 @@
 #pragma once
 /// \file The planar chain with elements in lanes, compiled once per instruction set (planar_lanes_kernel.cpp).
 
-#include <cstddef>
-
+#include "element_rows.hpp"
 #include "strandyn/beam/rigid_inertia.hpp"
 
 namespace strandyn::beam::planar_lanes_kernel {
 
-/// Lanes of a register at most: rows are read and written in whole registers.
-inline constexpr std::size_t most_lanes = 4;
+using lanes::most_lanes;
+using lanes::place_in_tile;
+using lanes::Rows;
 
 enum Row : std::size_t {
   // Of an element, constant.
@@ -101,21 +101,9 @@ enum InertiaEntry : std::size_t {
   inertia_entries
 };
 
-/// Where an entry of an element lies: tiles of `most_lanes` elements, entry by entry.
-constexpr std::size_t place_in_tile(std::size_t element, std::size_t entry, std::size_t entries) {
-  return (element / most_lanes * entries + entry) * most_lanes + element % most_lanes;
-}
-
 /// Derivatives of the resultants at the points, as `Rows` of points.
 struct PointTangents {
   const double *N_eps, *N_chi, *M_eps, *M_chi;
-};
-
-/// All rows of a chain; whole registers of elements, and one node more than elements.
-struct Rows {
-  double* data;
-  std::size_t stride;
-  std::size_t elements;
 };
 
 void find_kinematics(const Rows& rows, double* eps, double* chi);

@@ -1,7 +1,5 @@
 #include "strandyn/math/chain_matrix.hpp"
 
-#include <cmath>
-
 namespace strandyn::math {
 
 ChainMatrix::ChainMatrix(int block, std::size_t nodes) : block_(block) {
@@ -86,63 +84,6 @@ void ChainMatrix::multiply(const double* x, double* y) const {
 bool ChainMatrix::fits_update() const {
   const auto n = static_cast<Eigen::Index>(size());
   return !update_ || (update_->column.size() == n && update_->row.size() == n);
-}
-
-std::size_t negative_eigenvalues(const ChainMatrix& a) {
-  const auto of_blocks = [&](auto B) {
-    using Blocks = BlockTridiagonal<B()>;
-    const Blocks& t = a.as<B()>();
-    std::size_t count = 0;
-    typename Blocks::Block pivot = Blocks::Block::Zero();
-    for (std::size_t i = 0; i < t.nodes(); ++i) {
-      if (i > 0) pivot = (t.lower(i - 1) * pivot.partialPivLu().solve(t.upper(i - 1))).eval();
-      pivot = (t.diagonal(i) - pivot).eval();
-      const Eigen::SelfAdjointEigenSolver<typename Blocks::Block> eigen(pivot, Eigen::EigenvaluesOnly);
-      count += static_cast<std::size_t>((eigen.eigenvalues().array() < 0).count());
-    }
-    return count;
-  };
-  const std::size_t count = with_block_size(a.block(), of_blocks);
-  if (!a.update()) return count;
-  // A = T + s b b^T moves at most one eigenvalue across zero; the determinant det(T) (1 + row . T^-1 column) tells.
-  ChainMatrix blocks = a;
-  blocks.update().reset();
-  ChainFactors factors;
-  if (!factors.factorize(blocks)) return count;
-  Eigen::VectorXd solved = a.update()->column;
-  factors.solve(solved.data());
-  if (1 + a.update()->row.dot(solved) >= 0) return count;
-  return a.update()->row.dot(a.update()->column) > 0 ? count - 1 : count + 1;
-}
-
-bool ChainFactors::factorize(const ChainMatrix& a) {
-  const bool done = with_block_size(a.block(), [&](auto B) {
-    using Factors = BlockTridiagonalLU<B()>;
-    if (!std::holds_alternative<Factors>(factors_)) factors_ = Factors();
-    return std::get<Factors>(factors_).factorize(a.as<B()>());
-  });
-  updated_ = a.update().has_value();
-  if (!done || !updated_) return done;
-  row_ = a.update()->row;
-  solved_column_ = a.update()->column;
-  std::visit([&](const auto& f) { f.solve(solved_column_.data()); }, factors_);
-  const double pivot = 1 + row_.dot(solved_column_);
-  solved_column_ /= pivot;
-  return std::isfinite(pivot) && pivot != 0;
-}
-
-void ChainFactors::solve(double* x) const {
-  std::visit([&](const auto& f) { f.solve(x); }, factors_);
-  if (!updated_) return;
-  Eigen::Map<Eigen::VectorXd> solution(x, row_.size());
-  solution -= solved_column_ * row_.dot(solution);
-}
-
-bool ChainFactors::fit(const ChainMatrix& a) const {
-  const auto size = static_cast<Eigen::Index>(a.size());
-  return factors_.index() + 2 == static_cast<std::size_t>(a.block()) &&
-         std::visit([&](const auto& f) { return f.fit(a.nodes()); }, factors_) &&
-         (!updated_ || (row_.size() == size && solved_column_.size() == size));
 }
 
 }  // namespace strandyn::math

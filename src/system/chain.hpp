@@ -4,15 +4,25 @@
 /// elements is virtual.
 
 #include <memory>
+#include <vector>
 
 #include "strandyn/section/batch.hpp"
 #include "strandyn/system/system.hpp"
 
 namespace strandyn::system {
 
+/// The loads of a model: what weighs alike at any time is put together, once.
+struct Loads {
+  Vector dead;                        ///< [N] per unknown
+  std::vector<std::size_t> changing;  ///< places of the others in the model
+};
+Loads loads_of(const model::Model& model);
+
 class Chain {
  public:
   virtual ~Chain() = default;
+
+  Loads loads;  ///< on its nodes, set by whoever makes the chain
 
   virtual section::Dimension dimension() const = 0;
   /// Strains of all section points; keeps the kinematics for the two functions that follow.

@@ -1,10 +1,13 @@
+#include <algorithm>
+
 #include "chain.hpp"
 #include "strandyn/beam/rigid_inertia.hpp"
+#include "strandyn/beam/spatial_lanes.hpp"
 #include "strandyn/math/rotation.hpp"
 
 namespace strandyn::system {
 
-using beam::gauss_points;
+using beam::SpatialLanes;
 using beam::SpatialMatrix;
 using beam::SpatialVector;
 using enum section::Component;
@@ -14,7 +17,33 @@ namespace {
 /// Rotations are re-based before they come near the turn at which their map is singular.
 constexpr double longest_rotation = 4.0;  // [rad] of 2 pi
 
-constexpr std::array components = {axial, torsion, bending2, bending3};
+/// What turns with each node: half of the sections beside it, and bodies.
+std::vector<beam::RigidInertia> lumped(const model::Model& model) {
+  std::vector<beam::RigidInertia> at_nodes(model.nodes.size());
+  beam::SpatialSectionInertia of_sections = model.inertia;
+  if (model.mass_matrix == model::MassMatrix::consistent) of_sections.mass = 0;
+  for (std::size_t e = 0; e < model.elements.size(); ++e) {
+    const beam::RigidInertia share = beam::nodal_inertia(model.elements[e], of_sections);
+    for (std::size_t node : {e, e + 1}) {
+      at_nodes[node].mass += share.mass;
+      at_nodes[node].moment += share.moment;
+    }
+  }
+  for (const model::Body& body : model.bodies) {
+    at_nodes[body.node].mass += body.mass;
+    at_nodes[body.node].moment += body.inertia * Eigen::Matrix3d::Identity();
+  }
+  return at_nodes;
+}
+
+SpatialLanes::Points rows_of(const section::Field& field) {
+  return {field[axial].data(), field[torsion].data(), field[bending2].data(), field[bending3].data()};
+}
+
+SpatialLanes::Points rows_of(const section::TangentField& tangents, section::Component resultant) {
+  return {tangents(resultant, axial).data(), tangents(resultant, torsion).data(), tangents(resultant, bending2).data(),
+          tangents(resultant, bending3).data()};
+}
 
 /// B = 6: all unknowns. B = 5: rotation x is left out, it stays zero, and twist gives no strain.
 template <int B>
@@ -24,90 +53,47 @@ class SpatialChain final : public Chain {
       : consistent_(model.mass_matrix == model::MassMatrix::consistent),
         inertia_(model.inertia),
         elements_(model.elements),
-        kinematics_(model.elements.size()),
-        at_nodes_(model.nodes.size(), beam::RigidInertia{.mass = 0, .moment = Eigen::Matrix3d::Zero()}) {
-    beam::SpatialSectionInertia lumped = model.inertia;
-    if (consistent_) lumped.mass = 0;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      const beam::RigidInertia share = beam::nodal_inertia(elements_[e], lumped);
-      for (std::size_t node : {e, e + 1}) {
-        at_nodes_[node].mass += share.mass;
-        at_nodes_[node].moment += share.moment;
-      }
-    }
-    for (const model::Body& body : model.bodies) {
-      at_nodes_[body.node].mass += body.mass;
-      at_nodes_[body.node].moment += body.inertia * Eigen::Matrix3d::Identity();
-    }
-  }
+        at_nodes_(lumped(model)),
+        any_turns_(std::ranges::any_of(at_nodes_, [](const auto& body) { return body.moment.trace() > 0; })),
+        lanes_({.elements = elements_,
+                .inertia = inertia_,
+                .at_nodes = at_nodes_,
+                .unknowns = twists ? SpatialLanes::Unknowns::all : SpatialLanes::Unknowns::untwisted}) {}
 
   section::Dimension dimension() const override { return section::Dimension::spatial; }
 
   void find_strains(const double* u, section::Field& strains) override {
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      kinematics_[e] = beam::kinematics(elements_[e], gather(u, e));
-      const beam::SpatialKinematics& k = kinematics_[e];
-      for (std::size_t g = 0; g < gauss_points; ++g) {
-        const std::size_t point = e * gauss_points + g;
-        strains[axial][point] = k.eps;
-        strains[torsion][point] = twists ? k.chi1 : 0.0;
-        strains[bending2][point] = k.chi2[g];
-        strains[bending3][point] = k.chi3[g];
-      }
-    }
+    lanes_.find_strains(
+        u, {strains[axial].data(), strains[torsion].data(), strains[bending2].data(), strains[bending3].data()});
   }
 
   void add_internal_force(const section::Field& stresses, double* f) const override {
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      scatter(beam::internal_force(elements_[e], kinematics_[e], resultants(stresses, e)), e, f);
-    }
+    lanes_.add_internal_force(rows_of(stresses), f);
   }
 
   void add_stiffness(const section::Field& stresses, const section::TangentField& tangents, Matrix& K) const override {
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      beam::SpatialSectionTangent t;
-      for (std::size_t g = 0; g < gauss_points; ++g) {
-        const std::size_t point = e * gauss_points + g;
-        for (std::size_t r = 0; r < components.size(); ++r) {
-          for (std::size_t c = 0; c < components.size(); ++c) {
-            const bool counts = twists || (components[r] != torsion && components[c] != torsion);
-            t.C[g](static_cast<int>(r), static_cast<int>(c)) =
-                counts ? tangents(components[r], components[c])[point] : 0.0;
-          }
-        }
-      }
-      add(e, beam::tangent(elements_[e], kinematics_[e], resultants(stresses, e), t), K);
-    }
+    lanes_.add_stiffness(rows_of(stresses),
+                         {rows_of(tangents, axial), rows_of(tangents, torsion), rows_of(tangents, bending2),
+                          rows_of(tangents, bending3)},
+                         blocks_of(K));
   }
 
   void add_inertia_force(const State& m, double* f) const override {
     for (std::size_t node = 0; node < at_nodes_.size(); ++node) {
-      const beam::RigidInertia& body = at_nodes_[node];
-      for (std::size_t i = 0; i < 3; ++i) f[node * B + i] += body.mass * m.a[node * B + i];
-      if (!turns(node)) continue;
-      add_rotation(beam::rotary_force(body, rotation_motion(m, node)), node, f);
+      const double mass = at_nodes_[node].mass;
+      for (std::size_t i = node * B; i < node * B + 3; ++i) f[i] += mass * m.a[i];
     }
-    if (!consistent_) return;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      scatter(beam::consistent_inertia_force(elements_[e], inertia_, motion_of_element(m, e)), e, f);
-    }
+    if (any_turns_) lanes_.add_rotary_force(m.u, m.v, m.a, f);
+    if (consistent_) lanes_.add_inertia_force(m.u, m.v, m.a, f);
   }
 
   void add_inertia_tangent(const State& m, InertiaFactors factors, Matrix& K) const override {
     auto& blocks = K.as<B>();
     for (std::size_t node = 0; node < at_nodes_.size(); ++node) {
       blocks.diagonal(node).diagonal().template head<3>().array() += factors.acceleration * at_nodes_[node].mass;
-      if (!turns(node)) continue;
-      const auto t = beam::rotary_tangent(at_nodes_[node], rotation_motion(m, node));
-      const Eigen::Matrix3d sum =
-          factors.acceleration * t.mass + factors.velocity * t.velocity + factors.position * t.position;
-      blocks.diagonal(node).template bottomRightCorner<rotations, rotations>() +=
-          sum.bottomRightCorner<rotations, rotations>();
     }
-    if (!consistent_) return;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      add(e, beam::consistent_inertia_tangent(elements_[e], inertia_, motion_of_element(m, e), factors), K);
-    }
+    if (any_turns_) lanes_.add_rotary_tangent(m.u, m.v, m.a, factors, blocks_of(K));
+    if (consistent_) lanes_.add_inertia_tangent(m.u, m.v, m.a, factors, blocks_of(K));
   }
 
   void add_mass(const double* u, Matrix& M) const override {
@@ -132,12 +118,7 @@ class SpatialChain final : public Chain {
       const Eigen::Vector3d rate = rotation(v, node);
       sum += rate.dot(beam::rotary_mass(at_nodes_[node], rotation(u, node)) * rate);
     }
-    if (!consistent_) return sum / 2;
-    for (std::size_t e = 0; e < elements_.size(); ++e) {
-      const SpatialVector rate = gather(v, e);
-      sum += rate.dot(beam::consistent_mass(elements_[e], inertia_, gather(u, e)) * rate);
-    }
-    return sum / 2;
+    return sum / 2 + (consistent_ ? lanes_.kinetic_energy(u, v) : 0.0);
   }
 
   bool has_mass(std::size_t i) const override {
@@ -184,9 +165,6 @@ class SpatialChain final : public Chain {
     const double* last = all + node * B + B;
     return {twists ? last[-3] : 0.0, last[-2], last[-1]};
   }
-  static beam::RotationMotion rotation_motion(const State& m, std::size_t node) {
-    return {.psi = rotation(m.u, node), .rate = rotation(m.v, node), .acceleration = rotation(m.a, node)};
-  }
   static SpatialVector gather(const double* all, std::size_t e) {
     if constexpr (twists) {
       return Eigen::Map<const SpatialVector>(all + e * B);
@@ -199,18 +177,8 @@ class SpatialChain final : public Chain {
       return q;
     }
   }
-  static beam::SpatialMotion motion_of_element(const State& m, std::size_t e) {
-    return {.q = gather(m.u, e), .v = gather(m.v, e), .a = gather(m.a, e)};
-  }
   static void add_rotation(const Eigen::Vector3d& moment, std::size_t node, double* f) {
     for (int i = 0; i < rotations; ++i) f[node * B + 3 + static_cast<std::size_t>(i)] += moment(i + 3 - rotations);
-  }
-  static void scatter(const SpatialVector& force, std::size_t e, double* f) {
-    for (int end = 0; end < 2; ++end) {
-      const std::size_t node = e + static_cast<std::size_t>(end);
-      for (int i = 0; i < 3; ++i) f[node * B + static_cast<std::size_t>(i)] += force(6 * end + i);
-      add_rotation(force.segment<3>(6 * end + 3), node, f);
-    }
   }
   static void add(std::size_t e, const SpatialMatrix& k, Matrix& K) {
     auto& blocks = K.as<B>();
@@ -221,24 +189,20 @@ class SpatialChain final : public Chain {
       blocks.add_element(e, Eigen::Matrix<double, 2 * B, 2 * B>(k(kept, kept)));
     }
   }
-  static beam::SpatialResultants resultants(const section::Field& stresses, std::size_t e) {
-    beam::SpatialResultants r;
-    for (std::size_t g = 0; g < gauss_points; ++g) {
-      const std::size_t point = e * gauss_points + g;
-      r.N[g] = stresses[axial][point];
-      r.M1[g] = twists ? stresses[torsion][point] : 0.0;
-      r.M2[g] = stresses[bending2][point];
-      r.M3[g] = stresses[bending3][point];
-    }
-    return r;
+  /// The blocks of a kind follow each other without gaps.
+  static SpatialLanes::Blocks blocks_of(Matrix& K) {
+    auto& blocks = K.as<B>();
+    static_assert(sizeof(typename math::BlockTridiagonal<B>::Block) == sizeof(double) * B * B);
+    return {blocks.diagonal(0).data(), blocks.upper(0).data(), blocks.lower(0).data(), B};
   }
   bool turns(std::size_t node) const { return at_nodes_[node].moment.trace() > 0; }
 
   bool consistent_;
   beam::SpatialSectionInertia inertia_;
   std::vector<beam::SpatialElement> elements_;
-  std::vector<beam::SpatialKinematics> kinematics_;
   std::vector<beam::RigidInertia> at_nodes_;
+  bool any_turns_;
+  mutable SpatialLanes lanes_;  // and what it works in
 };
 
 }  // namespace

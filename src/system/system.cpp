@@ -14,8 +14,11 @@ using model::Unknown;
 namespace {
 
 std::unique_ptr<Chain> make_chain(const model::Model& model) {
-  if (model::is_transverse(model.freedom)) return make_transverse_chain(model);
-  return model.freedom == model::Freedom::planar ? make_planar_chain(model) : make_spatial_chain(model);
+  std::unique_ptr<Chain> chain = model::is_transverse(model.freedom)       ? make_transverse_chain(model)
+                                 : model.freedom == model::Freedom::planar ? make_planar_chain(model)
+                                                                           : make_spatial_chain(model);
+  chain->loads = loads_of(model);
+  return chain;
 }
 
 }  // namespace
@@ -216,23 +219,6 @@ void System::add_along(const model::Body& body, double factor, Matrix& K) const 
           body.direction(static_cast<Eigen::Index>(row)) * body.direction(static_cast<Eigen::Index>(column));
       K.add_at_node(*i, *j, factor * product);
     }
-  }
-}
-
-void System::external_force(At at, const double* u, double* f) const {
-  std::fill(f, f + unknowns(), 0.0);
-  for (const model::Load& load : model_.loads) {
-    const double factor = (load.dead ? at.dead : at.part) * math::evaluate(load.history, at.time, at.drives);
-    add_at_node(load.node, factor * load.force, f);
-    if (!load.moment.isZero(0)) chain_->add_moment(load.node, factor * load.moment, u, f);
-  }
-}
-
-void System::subtract_external_tangent(At at, const double* u, Matrix& K) const {
-  for (const model::Load& load : model_.loads) {
-    if (load.moment.isZero(0)) continue;
-    const double factor = (load.dead ? at.dead : at.part) * math::evaluate(load.history, at.time, at.drives);
-    chain_->subtract_moment_tangent(load.node, factor * load.moment, u, K);
   }
 }
 
