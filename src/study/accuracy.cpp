@@ -113,7 +113,8 @@ double Stretch::apart(const Lost& a, const Lost& b) {
   return std::max(std::abs(sum), std::sqrt(squares));
 }
 
-/// [J] by the steps of the search so far, on half the mesh that it began with.
+/// [J] by the steps of the search so far, on half the mesh that it began with; on a finer one where that is too far
+/// from the mesh of the run, since its errors of time are then others.
 double Stretch::by_time(const Setting& setting) {
   if (steps_.empty()) {
     steps_ = {part_of(first_.steps_per_cycle, 2, 4)};
@@ -122,7 +123,7 @@ double Stretch::by_time(const Setting& setting) {
   const auto now = steps_.insert(setting.steps_per_cycle).first;
   if (now == steps_.begin()) return INFINITY;
   Setting own = first_;
-  own.elements = part_of(first_.elements, 2, 1);
+  own.elements = std::max(part_of(first_.elements, 2, 1), part_of(setting.elements, 4, 1));
   const auto with = [&](int steps) -> const Lost& {
     own.steps_per_cycle = steps;
     return run(own);

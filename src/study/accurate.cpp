@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <ctime>
 
 #include "entries.hpp"
 #include "setting_choice.hpp"
@@ -28,7 +29,10 @@ class Accurate final : public Analysis {
   const Scene* base() const override { return &chosen_; }
 
   Outlook outlook() override {
+    const std::clock_t start = std::clock();
     Outlook outlook = inner_->outlook();
+    const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    const double one_run = std::sqrt(outlook.evaluations_least * outlook.evaluations_most);
     // How often mesh or step are to be refined shows in the run only; where wires slip, that grew like this, as the
     // middle of twofold either way.
     constexpr double by_target = 0.36, twofold = 1.9;
@@ -38,6 +42,15 @@ class Accurate final : public Analysis {
     const double refined = refines ? std::pow(0.1 / target_, by_target) : 1;
     outlook.evaluations_least *= once * refined / (refines ? twofold : 1);
     outlook.evaluations_most *= once * refined * (refines ? twofold : 1);
+    // Of decays: modes and rest, for each of the short runs, on meshes of half as many elements or so. What has just
+    // been taken is that and the trial's cycles.
+    if (chosen_.is<casefile::DecayAnalysis>() && one_run > 0) {
+      constexpr double runs = 8, part_of_mesh = 0.6, more_runs = 1.5, trial_cycles = 3.5;
+      const double cycles = std::max(1.0, casefile::number_at("vibration.cycles", outlook.modelled).value_or(1));
+      const double begun = std::max(0.0, took - trial_cycles / cycles * one_run * outlook.seconds_per_evaluation);
+      outlook.seconds_per_evaluation +=
+          runs * part_of_mesh * (refines ? more_runs : 1) * begun / (one_run * once * refined);
+    }
     outlook.modelled.merge(results::to_value(AccuracySummary{.chosen = choice_.keys()}));
     return outlook;
   }
