@@ -226,36 +226,3 @@ TEST_CASE("chain matrix: what has no factors is refused with and without the upd
     CHECK_FALSE(factors.factorize(a));
   });
 }
-
-TEST_CASE("chain matrix: the factors are those of its blocks, whatever the registers") {
-  for (const int block : {5, 6}) {
-    RandomChain random(static_cast<unsigned>(block));
-    for (int round = 0; round < 20; ++round) {
-      ChainMatrix a = random.matrix(block, false);
-      // Every third matrix has little on its diagonal: rows are exchanged within a node.
-      with_block_size(block, [&](auto B) {
-        auto& t = a.as<B()>();
-        for (std::size_t i = 0; round % 3 == 2 && i < nodes; ++i) t.diagonal(i).col(0).swap(t.diagonal(i).col(3));
-      });
-      const Eigen::VectorXd b = random.vector(a);
-      Eigen::VectorXd x = b;
-      Eigen::VectorXd expected = b;
-      ChainFactors factors;
-      REQUIRE(factors.factorize(a));
-      factors.solve(x.data());
-      with_block_size(block, [&](auto B) {
-        BlockTridiagonalLU<B()> plain;
-        REQUIRE(plain.factorize(a.as<B()>()));
-        plain.solve(expected.data());
-      });
-      CHECK((x - expected).norm() <= 1e-14 * expected.norm());
-      CHECK((dense(a) * x - b).norm() <= 1e-14 * b.norm());
-    }
-    // A node without stiffness has no factors, and new ones can follow.
-    ChainMatrix singular = random.matrix(block, false);
-    with_block_size(block, [&](auto B) { singular.as<B()>().diagonal(0).row(2).setZero(); });
-    ChainFactors factors;
-    CHECK_FALSE(factors.factorize(singular));
-    CHECK(factors.factorize(random.matrix(block, false)));
-  }
-}
