@@ -167,8 +167,8 @@ void add_span(const build::BuiltSpan& span, Outlook& outlook) {
   outlook.tell("mesh", mesh);
 }
 
-void add_vibration(const VibrationPlan& plan, const build::Integration& integration, span::SpanAtRest& span,
-                   Outlook& outlook) {
+void add_vibration(const casefile::Scene& scene, const VibrationPlan& plan, const build::Integration& integration,
+                   span::SpanAtRest& span, Outlook& outlook) {
   VibrationFacts facts{.plan = row_of(plan),
                        .cycles = plan.cycles,
                        .until_steady = plan.until_steady,
@@ -183,7 +183,8 @@ void add_vibration(const VibrationPlan& plan, const build::Integration& integrat
   // What the first steps take is mostly what there is but once.
   constexpr double short_time = 0.1;  // [s]
   constexpr double cycles = 3;
-  if (trial.seconds < short_time) {
+  // The arms of dampers would go on from where the first trial left them.
+  if (trial.seconds < short_time && scene.dampers.empty()) {
     const Trial longer = try_steps(cycles / plan.frequency, velocity, plan, integration, span);
     trial.seconds = longer.seconds / longer.evaluations * trial.evaluations;
   }

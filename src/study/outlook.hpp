@@ -8,8 +8,8 @@ namespace strandyn::study {
 void add_span(const build::BuiltSpan& span, Outlook& outlook);
 
 /// The plan, and the cost by half a cycle of the vibration at the amplitude that it will have.
-void add_vibration(const VibrationPlan& plan, const build::Integration& integration, span::SpanAtRest& span,
-                   Outlook& outlook);
+void add_vibration(const casefile::Scene& scene, const VibrationPlan& plan, const build::Integration& integration,
+                   span::SpanAtRest& span, Outlook& outlook);
 /// The cost of `steps` steps from rest under the initial velocity, by the first of them.
 void add_steps(double steps, const VibrationPlan& plan, const build::Integration& integration, span::SpanAtRest& span,
                Outlook& outlook);

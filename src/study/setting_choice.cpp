@@ -32,10 +32,10 @@ SettingChoice::SettingChoice(const Scene& asked, double target, LossRun run)
   begin();
 }
 
-/// A bench tunes its drive to the resonance that it finds, whatever a step does to it.
+/// A bench tunes its drive to the resonance that it finds, whatever a step does to it, and a decay has no drive.
 bool SettingChoice::fits_frequency() const {
   return is_free("integrator.fit_frequency") && scene_.integrator.method == casefile::Method::generalized_alpha &&
-         (scene_.is<casefile::DecayAnalysis>() || scene_.is<casefile::ForcedAnalysis>());
+         scene_.is<casefile::ForcedAnalysis>();
 }
 
 bool SettingChoice::points_are_free() const {

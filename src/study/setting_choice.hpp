@@ -26,7 +26,7 @@ void members(V& v, ChosenKeys::Span& s) {
 template <class V>
 void members(V& v, ChosenKeys::Integrator& i) {
   v.value("method", i.method, {.what = "of the integration in time"});
-  v.value("fit_frequency", i.fit_frequency, {.what = "whether steps keep the frequency of the drive or mode"});
+  v.value("fit_frequency", i.fit_frequency, {.what = "whether steps keep the frequency of the drive"});
   v.value("steps_per_cycle", i.steps_per_cycle, {.what = "of the integration", .shown = "chosen steps per cycle"});
 }
 template <class V>

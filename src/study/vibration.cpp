@@ -132,7 +132,7 @@ class Vibration final : public Analysis {
     span::SpanAtRest span(built_);
     span.apply_static_loads();
     const VibrationPlan plan = plan_vibration(scene_, integration_, ask_, span);
-    add_vibration(plan, integration_, span, outlook);
+    add_vibration(scene_, plan, integration_, span, outlook);
     return outlook;
   }
 

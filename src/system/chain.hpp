@@ -13,6 +13,7 @@ namespace strandyn::system {
 
 /// The loads of a model: what weighs alike at any time is put together, once.
 struct Loads {
+  std::size_t count = 0;              ///< of the model's loads when they were looked at
   Vector dead;                        ///< [N] per unknown
   std::vector<std::size_t> changing;  ///< places of the others in the model
 };

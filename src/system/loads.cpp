@@ -5,7 +5,8 @@ namespace strandyn::system {
 using model::Unknown;
 
 Loads loads_of(const model::Model& model) {
-  Loads loads{.dead = Vector::Zero(static_cast<Eigen::Index>(model.unknowns())), .changing = {}};
+  Loads loads{
+      .count = model.loads.size(), .dead = Vector::Zero(static_cast<Eigen::Index>(model.unknowns())), .changing = {}};
   for (std::size_t number = 0; number < model.loads.size(); ++number) {
     const model::Load& load = model.loads[number];
     if (!load.dead || !std::holds_alternative<model::Constant>(load.history) || !load.moment.isZero(0)) {
@@ -22,7 +23,9 @@ Loads loads_of(const model::Model& model) {
 }
 
 void System::external_force(At at, const double* u, double* f) const {
-  const auto& [dead, changing] = chain_->loads;
+  // Loads that were added or taken away since are looked at anew.
+  if (chain_->loads.count != model_.loads.size()) chain_->loads = loads_of(model_);
+  const auto& [count, dead, changing] = chain_->loads;
   for (std::size_t i = 0; i < unknowns(); ++i) f[i] = at.dead * dead(static_cast<Eigen::Index>(i));
   for (const std::size_t number : changing) {
     const model::Load& load = model_.loads[number];

@@ -19,8 +19,7 @@ done
 
 expect_code 2 "a row that is not there" "$program" verify extremes no-such-row
 expect_said "no row of the extremes"
-expect_code 2 "Markdown of cases" "$program" verify tensioned_beam_pinned --markdown
-expect_said "verify extremes"
+"$program" verify tensioned_beam_pinned --markdown 2> /dev/null | grep -q "^| .frequencies_Hz\[0\]. | .* | passed |" || fail "no Markdown of cases"
 "$program" verify extremes tension/slack > /dev/full 2> /dev/null
 [ $? -eq 4 ] || fail "a table that cannot be written"
 finish

@@ -61,7 +61,7 @@ TEST_CASE("accuracy: each preset is within its target of the converged friction,
 TEST_CASE("accuracy: the run is that of the settings which the summary says were chosen") {
   const study::CaseResult chosen = study::run_case(with_accuracy("balanced"));
   const auto of = [&](const char* key) { return number_at(std::string("chosen.") + key, chosen.summary).value(); };
-  Scene scene = span_scene(decay, {"integrator.method=\"generalized-alpha\"", "integrator.fit_frequency=true"});
+  Scene scene = span_scene(decay, {"integrator.method=\"generalized-alpha\""});
   scene.span->elements = static_cast<int>(of("span.elements"));
   scene.integrator.steps_per_cycle = static_cast<int>(of("integrator.steps_per_cycle"));
   scene.section.points = static_cast<int>(of("section.points"));
